@@ -1,0 +1,24 @@
+# How every target of the project is compiled.
+set(CMAKE_CXX_STANDARD 20)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_CXX_VISIBILITY_PRESET hidden)
+set(CMAKE_VISIBILITY_INLINES_HIDDEN ON)
+set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
+if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
+  set(CMAKE_BUILD_TYPE Release)
+endif()
+
+add_library(rmap_compile_options INTERFACE)
+# A fused multiply-add rounds once where the definition of a crossing rounds
+# twice: without this, the same scans would give another map on another machine.
+target_compile_options(rmap_compile_options INTERFACE -ffp-contract=off)
+target_compile_options(rmap_compile_options INTERFACE
+  -Wall -Wextra -Wpedantic -Wconversion -Wshadow
+  $<$<BOOL:${RMAP_WARNINGS_AS_ERRORS}>:-Werror>)
+
+set(RMAP_SANITIZE "" CACHE STRING "Sanitizers to build with: address,undefined or thread")
+if(RMAP_SANITIZE)
+  add_compile_options(-fsanitize=${RMAP_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
+  add_link_options(-fsanitize=${RMAP_SANITIZE})
+endif()
