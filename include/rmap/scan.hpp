@@ -20,18 +20,18 @@ struct Scan {
   Pose map_from_sensor = Pose::Identity();
   Frame frame = Frame::sensor;
   /// Ends of the beams, metres, in `frame`. Points that are not finite are skipped and counted.
-  std::vector<Vector3f> points;
+  std::vector<Vector3f> points = {};
   /// With frame map, where each beam started (metres, map's frame), one for each
   /// point: a lidar that moved during the scan. Empty: all at the pose's translation.
-  std::vector<Vector3d> origins;
+  std::vector<Vector3d> origins = {};
   /// Directions in which nothing came back, in `frame`, of any length but zero:
   /// beams from the pose's translation that only clear, out to the smaller of
   /// `sensor_range` and the grid's `max_range`.
-  std::vector<Vector3f> no_returns;
+  std::vector<Vector3f> no_returns = {};
   /// How far the sensor sees, metres.
   double sensor_range = std::numeric_limits<double>::infinity();
   /// Where the scan came from, for messages: a file's name, say.
-  std::string name;
+  std::string name = {};
 };
 
 }  // namespace rmap

@@ -1,0 +1,175 @@
+#include <rmap/compare.hpp>
+
+#include <algorithm>
+#include <memory>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include <rmap/error.hpp>
+#include <rmap/map_file.hpp>
+#include <rmap/scan_files.hpp>
+
+#include "arguments.hpp"
+#include "help.hpp"
+#include "json.hpp"
+#include "map_files.hpp"
+#include "output.hpp"
+#include "verbs.hpp"
+
+namespace rmap::command {
+
+namespace {
+
+struct CompareArguments {
+  std::filesystem::path a;
+  std::filesystem::path b;
+  bool expect_equal = false;
+  bool json = false;
+};
+
+void print_difference(const Grid& a, const Grid& b, const MapDifference& difference, bool json) {
+  const bool same = same_map(a, b);
+  if (json) {
+    print_json({{"cells", {{"a", a.cell_count()}, {"b", b.cell_count()}}},
+                {"both", difference.both},
+                {"only_a", difference.only_a},
+                {"only_b", difference.only_b},
+                {"occupied_both", difference.occupied_both},
+                {"occupied_only_a", difference.occupied_only_a},
+                {"occupied_only_b", difference.occupied_only_b},
+                {"state_differences", difference.state_differs},
+                {"value_differences", difference.value_differs},
+                {"max_difference", difference.max_difference},
+                {"equal", difference.same_cells()},
+                {"same_map", same}});
+    return;
+  }
+  print(fmt::format("cells        {} in both, {} in A only, {} in B only\n"
+                    "occupied     {} in both, {} in A only, {} in B only\n"
+                    "differences  {} states, {} values, at most {:.6g} in probability\n"
+                    "{}\n",
+                    grouped(difference.both), grouped(difference.only_a),
+                    grouped(difference.only_b), grouped(difference.occupied_both),
+                    grouped(difference.occupied_only_a), grouped(difference.occupied_only_b),
+                    grouped(difference.state_differs), grouped(difference.value_differs),
+                    difference.max_difference,
+                    same                      ? "the same map"
+                    : difference.same_cells() ? "equal cells; options, scans or history differ"
+                                              : "different cells"));
+}
+
+// Where the points of a cloud lie in a map, and which cells have none.
+struct CloudComparison {
+  std::uint64_t points = 0;
+  std::uint64_t not_finite = 0;
+  std::uint64_t beyond_limits = 0;
+  std::uint64_t in_occupied = 0;
+  std::uint64_t in_free = 0;
+  std::uint64_t in_assumed_free = 0;
+  std::uint64_t cells_without_point = 0;
+  std::uint64_t occupied_without_point = 0;
+};
+
+CloudComparison compare_with_cloud(const Grid& grid, const std::vector<Vector3f>& points) {
+  CloudComparison result{.points = points.size()};
+  std::vector<Cell> existing;  // cells with a point, once for each
+  for (const Vector3f& point : points) {
+    if (!point.allFinite()) {
+      ++result.not_finite;
+      continue;
+    }
+    const auto cell = grid.lattice().find_cell(point.cast<double>());
+    if (!cell) {
+      ++result.beyond_limits;
+      continue;
+    }
+    switch (grid.cell_state(*cell)) {
+      case State::occupied: ++result.in_occupied; break;
+      case State::free: ++result.in_free; break;
+      case State::assumed_free: ++result.in_assumed_free; continue;
+    }
+    existing.push_back(*cell);
+  }
+  std::sort(existing.begin(), existing.end(), morton_less);
+  existing.erase(std::unique(existing.begin(), existing.end()), existing.end());
+  const auto occupied = std::count_if(existing.begin(), existing.end(), [&](const Cell& cell) {
+    return grid.cell_state(cell) == State::occupied;
+  });
+  result.cells_without_point = grid.cell_count() - existing.size();
+  result.occupied_without_point = occupied_cells(grid) - static_cast<std::size_t>(occupied);
+  return result;
+}
+
+void print_cloud_comparison(const Grid& grid, const CloudComparison& found, bool json) {
+  if (json) {
+    print_json({{"points", found.points},
+                {"not_finite", found.not_finite},
+                {"beyond_limits", found.beyond_limits},
+                {"in_occupied", found.in_occupied},
+                {"in_free", found.in_free},
+                {"in_assumed_free", found.in_assumed_free},
+                {"cells", grid.cell_count()},
+                {"cells_without_point", found.cells_without_point},
+                {"occupied", occupied_cells(grid)},
+                {"occupied_without_point", found.occupied_without_point}});
+    return;
+  }
+  print(fmt::format("points  {}: {} in occupied, {} in free, {} in assumed_free cells; {} beyond "
+                    "limits, {} not finite\n"
+                    "cells   {}: {} without a point\n"
+                    "        {} occupied: {} without a point\n",
+                    grouped(found.points), grouped(found.in_occupied), grouped(found.in_free),
+                    grouped(found.in_assumed_free), grouped(found.beyond_limits),
+                    grouped(found.not_finite), grouped(grid.cell_count()),
+                    grouped(found.cells_without_point), grouped(occupied_cells(grid)),
+                    grouped(found.occupied_without_point)));
+}
+
+void run(const CompareArguments& arguments) {
+  const std::string ending = ending_of(arguments.b);
+  if (ending == ".bin" || ending == ".pcd") {
+    if (arguments.expect_equal) {
+      throw UsageError("--expect-equal compares two maps: a cloud is never equal to one");
+    }
+    const Grid grid = load(arguments.a);
+    print_cloud_comparison(grid, compare_with_cloud(grid, read_points(arguments.b)),
+                           arguments.json);
+    return;
+  }
+  const Grid a = load(arguments.a);
+  const Grid b = load(arguments.b);
+  const MapDifference difference = compare(a, b);
+  print_difference(a, b, difference, arguments.json);
+  if (arguments.expect_equal && !difference.same_cells()) {
+    throw Error(ErrorKind::input,
+                fmt::format("{} and {} are not equal: {} cells are in one only, {} have another value",
+                            arguments.a.string(), arguments.b.string(),
+                            difference.only_a + difference.only_b, difference.value_differs));
+  }
+}
+
+}  // namespace
+
+void add_compare(CLI::App& app) {
+  CLI::App& verb = *app.add_subcommand("compare", "Tell how two maps, or a map and a cloud, differ.");
+  const auto arguments = std::make_shared<CompareArguments>();
+  set_help(
+      verb,
+      {.usage = "A B [options]",
+       .text = {"A is a map. B is a map of the same resolution: the answer counts the cells that are "
+                "in one only and those whose state or value differs. Equal means the same cells "
+                "with the same values; the same map also has the same options, scans and history.",
+                "Or B is a cloud (.bin or .pcd) in the map's frame: the answer counts where its "
+                "points lie in the map, and the cells without a point."},
+       .examples = {"rmap compare street.rmap yard.rmap",
+                    "rmap compare street.rmap street/truth/surface.pcd --json"}});
+  add_path(verb, "A", arguments->a, "A map, a .rmap file.")->required();
+  add_path(verb, "B", arguments->b, "Another map, or a cloud.")->required();
+  verb.add_flag("--expect-equal", arguments->expect_equal,
+                "Exit with 1 unless the cells of the two maps are equal.");
+  add_json_flag(verb, arguments->json);
+  verb.callback([arguments] { run(*arguments); });
+}
+
+}  // namespace rmap::command

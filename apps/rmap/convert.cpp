@@ -1,0 +1,196 @@
+#include <filesystem>
+#include <memory>
+#include <optional>
+
+#include <fmt/format.h>
+
+#include <rmap/cell_files.hpp>
+#include <rmap/cells.hpp>
+#include <rmap/error.hpp>
+#include <rmap/map_file.hpp>
+#include <rmap/multiresolution.hpp>
+#include <rmap/scan_files.hpp>
+#include <rmap/scan_source.hpp>
+
+#include "arguments.hpp"
+#include "help.hpp"
+#include "json.hpp"
+#include "map_files.hpp"
+#include "output.hpp"
+#include "progress.hpp"
+#include "signals.hpp"
+#include "staged_folder.hpp"
+#include "verbs.hpp"
+
+namespace rmap::command {
+
+namespace {
+
+struct ConvertArguments {
+  std::filesystem::path input;
+  std::filesystem::path output;
+  CellChoice cells = CellChoice::occupied;
+  int coarsen = 1;
+  Criterion criterion = Criterion::mean;
+  std::optional<double> prune;
+  std::optional<Box> crop;
+  ScanEnding format = ScanEnding::bin;
+  bool json = false;
+  /// The options that only maps have, and those that only cells or scans have, to be
+  /// refused where they would have no effect.
+  std::vector<const CLI::Option*> map_options;
+  const CLI::Option* cells_option = nullptr;
+  const CLI::Option* format_option = nullptr;
+};
+
+void refuse(const CLI::Option* option, const char* needed) {
+  if (option->count() == 0) return;
+  throw UsageError(fmt::format("{} has no effect here: {}", option->get_name(), needed));
+}
+
+// Removes all cells that do not overlap the box, by the six slabs around it.
+void crop(Grid& grid, const Box& box) {
+  const CellBox keep = grid.lattice().cells_of(box);
+  for (int axis = 0; axis < 3; ++axis) {
+    CellBox below = all_cells();
+    CellBox above = all_cells();
+    below.max[axis] = keep.min[axis];
+    above.min[axis] = keep.max[axis];
+    if (!below.empty()) grid.erase_cells(below);
+    if (!above.empty()) grid.erase_cells(above);
+  }
+}
+
+Grid wanted_map(const ConvertArguments& arguments) {
+  Grid grid = load(arguments.input);
+  if (arguments.crop) crop(grid, *arguments.crop);
+  if (arguments.prune) grid.prune(*arguments.prune);
+  if (arguments.coarsen > 1) grid = coarsen(grid, arguments.coarsen, arguments.criterion);
+  return grid;
+}
+
+std::uint64_t write_cell_file(const Grid& grid, CellChoice choice,
+                              const std::filesystem::path& file) {
+  const SignalHold hold;
+  const Lattice& lattice = grid.lattice();
+  return write_cells(file, [&](CellSink sink) {
+    for (const auto& [cell, value] :
+         cells(grid, {.occupied_only = choice == CellChoice::occupied})) {
+      hold.check();
+      sink({.center = lattice.center(cell),
+            .size = lattice.resolution(),
+            .probability = probability_of(value),
+            .occupied = grid.rule().occupied(value)});
+    }
+  });
+}
+
+void report(const ConvertArguments& arguments, std::uint64_t count, const char* noun) {
+  if (arguments.json) {
+    print_json({{"input", arguments.input.string()},
+                {"output", arguments.output.string()},
+                {std::string(noun) + "s", count}});
+  } else {
+    print(fmt::format("{}: {}\n", arguments.output.string(), counted(count, noun)));
+  }
+}
+
+void convert_map(const ConvertArguments& arguments) {
+  refuse(arguments.format_option, "it is for folders of scans");
+  if (ending_of(arguments.output) == ".rmap") {
+    refuse(arguments.cells_option, "a map keeps all its cells, but those that --prune drops");
+    check_map_output(arguments.output);
+    const Grid grid = wanted_map(arguments);
+    save_map(grid, arguments.output);
+    report(arguments, grid.cell_count(), "cell");
+  } else {
+    check_output_folder(arguments.output);
+    const Grid grid = wanted_map(arguments);
+    report(arguments, write_cell_file(grid, arguments.cells, arguments.output), "cell");
+  }
+}
+
+void convert_scans(const ConvertArguments& arguments) {
+  const SignalHold hold;
+  const auto source = open_scans(arguments.input);
+  StagedFolder folder(arguments.output);
+  check_no_scans(arguments.output);
+  ScanFolderWriter writer(folder.staging(), fmt::format(".{}", word_of(arguments.format)));
+  Progress progress("converting", source->size());
+  std::uint64_t scans = 0;
+  for (Scan scan; source->next(scan); ++scans) {
+    hold.check();
+    writer.add(scan);
+    progress.advance();
+  }
+  writer.finish();
+  folder.publish("poses.txt");
+  report(arguments, scans, "scan");
+}
+
+void convert_cloud(const ConvertArguments& arguments) {
+  refuse(arguments.format_option, "the ending of the output says the format");
+  check_output_folder(arguments.output);
+  const std::vector<Vector3f> points = read_points(arguments.input);
+  const SignalHold hold;
+  write_points(arguments.output, points);
+  report(arguments, points.size(), "point");
+}
+
+void run(const ConvertArguments& arguments) {
+  std::error_code missing;
+  const bool folder = std::filesystem::is_directory(arguments.input, missing);
+  const std::string ending = ending_of(arguments.input);
+  if (!folder && ending == ".rmap") return convert_map(arguments);
+  for (const CLI::Option* option : arguments.map_options) refuse(option, "it is for maps");
+  refuse(arguments.cells_option, "it is for maps");
+  if (folder) return convert_scans(arguments);
+  if (ending == ".bin" || ending == ".pcd") return convert_cloud(arguments);
+  throw Error(ErrorKind::input,
+              fmt::format("the input {} is nothing that can be converted as far as its name says: a "
+                          "map (.rmap), a folder of scans or a cloud (.bin, .pcd) are allowed",
+                          arguments.input.string()));
+}
+
+}  // namespace
+
+void add_convert(CLI::App& app) {
+  CLI::App& verb = *app.add_subcommand("convert", "Turn maps, scans and clouds into other forms.");
+  const auto arguments = std::make_shared<ConvertArguments>();
+  set_help(
+      verb,
+      {.usage = "IN OUT [options]",
+       .text = {"A map (.rmap) becomes cells for other programs: .csv (x,y,z,size,probability,state), "
+                ".ply or .pcd (x y z probability); or another map (.rmap). --crop, --prune and "
+                "--coarsen apply to it in this order.",
+                "A folder of scans becomes another one with files of --format; a cloud (.bin or "
+                ".pcd) becomes the other of the two. Points alone are kept, no intensity."},
+       .examples = {"rmap convert street.rmap street.ply",
+                    "rmap convert street.rmap coarse.rmap --coarsen 4 --criterion max",
+                    "rmap convert street street_pcd --format pcd"}});
+  add_path(verb, "IN", arguments->input, "Map, folder of scans or cloud.")->required();
+  add_path(verb, "OUT", arguments->output, "File or folder to write; its ending says the format.")
+      ->required();
+  arguments->cells_option =
+      add_word(verb, "--cells", arguments->cells,
+               "Which cells of a map become rows or points: " + word_list<CellChoice>() +
+                   " (default occupied).");
+  arguments->map_options = {
+      add_box(verb, "--crop", arguments->crop,
+              "Keep only the cells of the map that this box x0,y0,z0,x1,y1,z1 (m) overlaps."),
+      add_number(verb, "--prune", arguments->prune,
+                 "Drop the cells of the map with a probability at or below, 0 to 1."),
+      add_integer(verb, "--coarsen", arguments->coarsen,
+                  "Make the cells of the map COUNT times as large (default 1).", 1),
+      add_word(verb, "--criterion", arguments->criterion,
+               "Probability of a coarse cell: " + word_list<Criterion>() +
+                   " of its cells (default mean)."),
+  };
+  arguments->format_option = add_word(verb, "--format", arguments->format,
+                                      "Files in a folder of scans: " + word_list<ScanEnding>() +
+                                          " (default bin).");
+  add_json_flag(verb, arguments->json);
+  verb.callback([arguments] { run(*arguments); });
+}
+
+}  // namespace rmap::command

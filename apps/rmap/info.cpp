@@ -1,0 +1,68 @@
+#include "info.hpp"
+
+#include <memory>
+#include <vector>
+
+#include <rmap/error.hpp>
+
+#include "arguments.hpp"
+#include "help.hpp"
+#include "map_options.hpp"
+#include "output.hpp"
+#include "verbs.hpp"
+
+namespace rmap::command {
+
+namespace {
+
+struct InfoArguments {
+  std::vector<std::filesystem::path> files;
+  LoadOptions load;
+  bool json = false;
+};
+
+Description describe(const std::filesystem::path& file, const LoadOptions& options) {
+  std::error_code missing;
+  if (std::filesystem::is_directory(file, missing)) return describe_scans(file);
+  const std::string ending = ending_of(file);
+  if (ending == ".bin" || ending == ".pcd") return describe_cloud(file);
+  // Whatever it is called: the reader says what is wrong with a file that is none.
+  return describe_map(file, options);
+}
+
+void run(const InfoArguments& arguments) {
+  Json answers = Json::array();
+  for (const std::filesystem::path& file : arguments.files) {
+    Description description = describe(file, arguments.load);
+    if (arguments.json) {
+      answers.push_back(std::move(description.json));
+    } else {
+      print(description.words);
+    }
+  }
+  if (arguments.json) print_json(answers.size() == 1 ? answers.front() : answers);
+}
+
+}  // namespace
+
+void add_info(CLI::App& app) {
+  CLI::App& verb = *app.add_subcommand("info", "Tell what is in maps, scans and clouds.");
+  const auto arguments = std::make_shared<InfoArguments>();
+  set_help(verb,
+           {.usage = "FILE... [options]",
+            .text = {"A .rmap file is a map, a folder holds scans with poses, a .bin or .pcd file is "
+                     "a cloud of points. All of it is read and checked. With --json one file gives "
+                     "an object, several an array of them; what is infinite or does not exist is "
+                     "null.",
+                     "A map file does not say how the map lay in memory: the options choose how it "
+                     "is loaded, which decides the figures of the R-tree and of the memory."},
+            .examples = {"rmap info street.rmap", "rmap info street.rmap --layout cells "
+                                                  "--max-branches 32 --json",
+                         "rmap info street street/truth/surface.pcd"}});
+  add_paths(verb, "FILE", arguments->files, "Maps, folders of scans, clouds.")->required();
+  add_json_flag(verb, arguments->json);
+  add_load_options(verb, arguments->load);
+  verb.callback([arguments] { run(*arguments); });
+}
+
+}  // namespace rmap::command

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include <rmap/map_file.hpp>
+
+#include "json.hpp"
+
+namespace rmap::command {
+
+// What is in a file or folder, for programs and in words. They read all of it and throw
+// Error as the library's readers.
+
+struct Description {
+  Json json;
+  std::string words;
+};
+
+Description describe_map(const std::filesystem::path& file, const LoadOptions& options);
+Description describe_scans(const std::filesystem::path& folder);
+Description describe_cloud(const std::filesystem::path& file);
+
+}  // namespace rmap::command

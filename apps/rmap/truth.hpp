@@ -1,0 +1,16 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+
+#include <rmap/simulation.hpp>
+
+#include "json.hpp"
+
+namespace rmap::command {
+
+/// What a simulated scene really is, in numbers that a program can measure a map by:
+/// its objects exactly, the sensor with its errors, the times of the scans.
+Json truth_of(const Simulation& simulation);
+
+}  // namespace rmap::command

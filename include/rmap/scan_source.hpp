@@ -1,0 +1,116 @@
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <iterator>
+#include <memory>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include <rmap/scan.hpp>
+
+namespace rmap {
+
+/// Scans with poses, one after another: what every format of scans is read
+/// through. Holds one scan at a time, so the scans may be larger than memory.
+class ScanSource {
+ public:
+  ScanSource() = default;
+  ScanSource(const ScanSource&) = delete;
+  ScanSource& operator=(const ScanSource&) = delete;
+  virtual ~ScanSource() = default;
+
+  /// Reads the next scan into `scan`, whose buffers it reuses and whose fields it
+  /// all sets; false at the end, and `scan` is then unspecified. Throws Error(input)
+  /// when the content is not what the format allows, Error(limit) when it is too
+  /// large, Error(io) when it cannot be read. The call after an error goes on with
+  /// the scan behind it, so that one pass can find all that is wrong.
+  virtual bool next(Scan& scan) = 0;
+
+  /// Goes back to the first scan.
+  virtual void rewind() = 0;
+
+  /// Number of scans of a whole pass, where it is known without reading them.
+  virtual std::optional<std::size_t> size() const = 0;
+};
+
+/// Opens scans by what `path` is:
+///
+/// - a folder of scans: all its `.bin` files (KITTI: little-endian float32 x, y, z,
+///   intensity; at least one point) or all its `.pcd` files (ascii, binary,
+///   binary_compressed) in natural order (2 before 10), and beside them `poses.txt`
+///   with one pose a scan, as in `read_poses`. Points are in the sensor's frame, in
+///   metres. Other files, subfolders and names that begin with a dot are passed
+///   over; a folder with both kinds is an error. The VIEWPOINT of a `.pcd` is ignored.
+/// - one scan file of such a folder: that scan alone, with its line of `poses.txt`.
+///
+/// The listing, the poses and their number are checked here, the scans when they
+/// are read: a pass with `next` to the end checks everything. Throws Error as `next`.
+std::unique_ptr<ScanSource> open_scans(const std::filesystem::path& path);
+
+/// Opens several paths as one source, in the order given; at least one.
+std::unique_ptr<ScanSource> open_scan_sequence(const std::vector<std::filesystem::path>& paths);
+
+/// Scans as a range for one pass; `rewind()` allows another. A reference to a scan
+/// lives until the next `++`, which may throw Error as `ScanSource::next`.
+///
+///     for (const rmap::Scan& scan : rmap::read_scans("street/")) grid.insert(scan);
+///
+/// Moving the range invalidates its iterators.
+class ScanRange {
+ public:
+  class Iterator {
+   public:
+    using iterator_concept = std::input_iterator_tag;
+    using difference_type = std::ptrdiff_t;
+    using value_type = Scan;
+
+    const Scan& operator*() const { return range_->scan_; }
+    const Scan* operator->() const { return &range_->scan_; }
+    Iterator& operator++() {
+      range_->advance();
+      return *this;
+    }
+    void operator++(int) { range_->advance(); }
+    friend bool operator==(const Iterator& iterator, std::default_sentinel_t) {
+      return iterator.at_end();
+    }
+
+   private:
+    friend class ScanRange;
+    explicit Iterator(ScanRange* range) : range_(range) {}
+    bool at_end() const { return range_->at_end_; }
+
+    ScanRange* range_;
+  };
+
+  /// `source` is not null and stands at its first scan.
+  explicit ScanRange(std::unique_ptr<ScanSource> source) : source_(std::move(source)) {}
+
+  /// Reads the first scan. Throws Error as `ScanSource::next`, and Error(usage) when
+  /// the pass has begun already: a second loop needs `rewind()` first.
+  Iterator begin();
+  std::default_sentinel_t end() const { return std::default_sentinel; }
+
+  /// Goes back to the first scan; iterators of the former pass are invalid.
+  void rewind();
+  /// Number of scans of a whole pass, where it is known without reading them.
+  std::optional<std::size_t> size() const { return source_->size(); }
+
+ private:
+  void advance();
+
+  std::unique_ptr<ScanSource> source_;
+  Scan scan_;
+  bool begun_ = false;
+  bool at_end_ = false;
+};
+
+/// The scans of `open_scans(path)` as a range.
+ScanRange read_scans(const std::filesystem::path& path);
+
+/// The scans of `open_scan_sequence(paths)` as a range.
+ScanRange read_scan_sequence(const std::vector<std::filesystem::path>& paths);
+
+}  // namespace rmap

@@ -1,0 +1,57 @@
+#include "grid/cell_store.hpp"
+
+#include <cassert>
+
+#include <fmt/format.h>
+
+namespace rmap {
+
+namespace {
+
+// A leaf of one cell always has just that cell.
+constexpr CellMask kOneCell = [] {
+  CellMask mask;
+  mask.set(0);
+  return mask;
+}();
+
+}  // namespace
+
+CellStore::CellStore(const Options& options) : LeafStore(options, 1), entries_(1) {}
+
+std::unique_ptr<LeafStore> CellStore::clone() const { return std::make_unique<CellStore>(*this); }
+
+Leaf CellStore::leaf(LeafId id, const Cell& origin) const {
+  return {.origin = origin, .edge = 1, .cells = &kOneCell, .values = &entries_.record(id)->value};
+}
+
+BytesInUse CellStore::bytes_in_use() const {
+  return {.nodes = tree_bytes(), .values = entries_.bytes_in_use()};
+}
+
+LeafId CellStore::allocate() {
+  const LeafId id = entries_.allocate();
+  *entries_.record(id) = {.stamp = 0, .value = 0};
+  return id;
+}
+
+void CellStore::release(LeafId id) { entries_.release(id); }
+
+void CellStore::add_cells(LeafId id, const CellMask& cells, Value value) {
+  assert(cells == kOneCell);
+  static_cast<void>(cells);
+  entries_.record(id)->value = value;
+}
+
+// Nothing to do: the cell goes with its leaf.
+void CellStore::take_cells(LeafId /*id*/, const CellMask& /*cells*/) {}
+
+std::optional<std::string> CellStore::check_storage() const {
+  if (entries_.size() != leaf_count()) {
+    return fmt::format("the R-tree has {} leaf branches, but there are {} cells", leaf_count(),
+                       entries_.size());
+  }
+  return std::nullopt;
+}
+
+}  // namespace rmap

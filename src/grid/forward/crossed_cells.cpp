@@ -1,0 +1,40 @@
+#include "grid/forward/crossed_cells.hpp"
+
+#include "grid/parallel.hpp"
+
+namespace rmap {
+
+namespace {
+
+void mark_crossed(const LeafStore& store, const Beam& beam, const LeafMarks& hit,
+                  LeafMarks& crossed) {
+  store.visit_crossed(beam, [&](LeafId id, const Leaf& leaf) {
+    CellMask& marks = crossed.at(id, leaf.origin);
+    CellMask left = leaf.cells->without(marks);
+    if (const CellMask* hits = hit.find(id)) left = left.without(*hits);
+    if (left.none()) return true;
+    CellMask walked;
+    for (BeamWalk walk(beam, leaf.box()); walk.more(); walk.advance()) {
+      walked.set(store.position_of(walk.cell()));
+    }
+    marks |= walked & left;
+    return true;
+  });
+}
+
+}  // namespace
+
+LeafMarks crossed_cells(const LeafStore& store, std::span<const Beam> beams, const LeafMarks& hit,
+                        int threads) {
+  const auto ranges = static_cast<std::size_t>(thread_count(threads));
+  std::vector<LeafMarks> found(ranges, LeafMarks(store.id_limit()));
+  for_each_range(threads, beams.size(), [&](std::size_t range, std::size_t begin, std::size_t end) {
+    for (const Beam& beam : beams.subspan(begin, end - begin)) {
+      mark_crossed(store, beam, hit, found[range]);
+    }
+  });
+  for (std::size_t range = 1; range < ranges; ++range) found[0].add(found[range]);
+  return std::move(found[0]);
+}
+
+}  // namespace rmap

@@ -1,0 +1,92 @@
+#include "grid/leaf_store.hpp"
+
+#include <fmt/format.h>
+
+#include "grid/block_store.hpp"
+#include "grid/cell_store.hpp"
+
+namespace rmap {
+
+std::unique_ptr<LeafStore> LeafStore::make(const Options& options) {
+  if (options.layout == Layout::cells) return std::make_unique<CellStore>(options);
+  return std::make_unique<BlockStore>(options);
+}
+
+LeafStore::LeafStore(const Options& options, std::int32_t edge)
+    : tree_({.max_branches = options.max_branches, .split = options.split, .leaf_edge = edge}) {}
+
+std::optional<LeafId> LeafStore::find(const Cell& origin) const {
+  const LeafId* id = tree_.find(leaf_box(origin));
+  if (id == nullptr) return std::nullopt;
+  return *id;
+}
+
+const Value* LeafStore::find_value(const Cell& cell) const {
+  const Cell origin = origin_of(cell);
+  const auto id = find(origin);
+  if (!id) return nullptr;
+  const Leaf found = leaf(*id, origin);
+  const BlockPosition position = position_of(cell);
+  return found.cells->test(position) ? found.values + found.cells->rank(position) : nullptr;
+}
+
+bool LeafStore::visit(const CellBox& region,
+                      FunctionRef<bool(LeafId, const Leaf&)> visit) const {
+  return tree_.overlapping(
+      region, [&](const CellBox& box, LeafId id) { return visit(id, leaf(id, box.min)); });
+}
+
+bool LeafStore::visit_crossed(const Beam& beam,
+                              FunctionRef<bool(LeafId, const Leaf&)> visit) const {
+  return tree_.crossed_by(
+      beam, [&](const CellBox& box, LeafId id) { return visit(id, leaf(id, box.min)); });
+}
+
+void LeafStore::visit_along(const Beam& beam,
+                            FunctionRef<double(const Leaf&, double enter)> visit) const {
+  tree_.crossed_in_order(beam, [&](const CellBox& box, LeafId id, double enter) {
+    return visit(leaf(id, box.min), enter);
+  });
+}
+
+LeafStore::Ensured LeafStore::ensure(const Cell& origin, const CellMask& cells, Value value) {
+  auto id = find(origin);
+  if (!id) {
+    id = allocate();
+    tree_.insert(leaf_box(origin), *id);
+    add_cells(*id, cells, value);
+    return {*id, cells};
+  }
+  const CellMask created = cells.without(*leaf(*id, origin).cells);
+  if (!created.none()) add_cells(*id, created, value);
+  return {*id, created};
+}
+
+void LeafStore::remove(LeafId id, const Cell& origin, const CellMask& cells) {
+  const bool last = *leaf(id, origin).cells == cells;
+  take_cells(id, cells);
+  if (last) {
+    release(id);
+    tree_.erase(leaf_box(origin));
+  }
+}
+
+std::optional<std::string> LeafStore::check() const {
+  if (auto broken = tree_.check()) return "the R-tree is broken: " + *broken;
+  std::optional<std::string> broken;
+  visit(all_cells(), [&](LeafId id, const Leaf& found) {
+    if (id >= id_limit()) {
+      broken = fmt::format("leaf number {} is beyond {}", id, id_limit());
+    } else if (found.cells->none()) {
+      broken = fmt::format("the leaf at ({}, {}, {}) holds no cell", found.origin.x(),
+                           found.origin.y(), found.origin.z());
+    } else if (found.origin != origin_of(found.origin)) {
+      broken = fmt::format("the leaf at ({}, {}, {}) is not aligned to {} cells", found.origin.x(),
+                           found.origin.y(), found.origin.z(), edge());
+    }
+    return !broken.has_value();
+  });
+  return broken ? broken : check_storage();
+}
+
+}  // namespace rmap

@@ -1,0 +1,98 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <span>
+
+#include <rmap/beam.hpp>
+#include <rmap/leaf.hpp>
+#include <rmap/report.hpp>
+
+#include "grid/change_log.hpp"
+
+namespace rmap {
+
+/// Number of a leaf branch: stable while the leaf exists, then used again.
+using LeafId = std::uint32_t;
+
+/// The cells of a grid: leaf branches in an R-tree, and what they hold. The two
+/// layouts differ only in the edge of a leaf and in how its cells are stored;
+/// everything above works on leaves and does not know which one it is.
+class LeafStore {
+ public:
+  static std::unique_ptr<LeafStore> make(const Options& options);
+  virtual ~LeafStore() = default;
+  virtual std::unique_ptr<LeafStore> clone() const = 0;
+
+  // --- What lies where -------------------------------------------------------
+
+  std::int32_t edge() const { return tree_.options().leaf_edge; }
+  /// Lowest cell of the leaf that holds or would hold `cell`.
+  Cell origin_of(const Cell& cell) const { return edge() == 1 ? cell : block_origin(cell); }
+  BlockPosition position_of(const Cell& cell) const {
+    return edge() == 1 ? 0 : block_position(cell);
+  }
+
+  // --- Reading ---------------------------------------------------------------
+
+  std::optional<LeafId> find(const Cell& origin) const;
+  /// Value of a cell, null where it does not exist.
+  const Value* find_value(const Cell& cell) const;
+  virtual Leaf leaf(LeafId id, const Cell& origin) const = 0;
+
+  /// Visits return false when `visit` did.
+  bool visit(const CellBox& region, FunctionRef<bool(LeafId, const Leaf&)> visit) const;
+  bool visit_crossed(const Beam& beam, FunctionRef<bool(LeafId, const Leaf&)> visit) const;
+  void visit_along(const Beam& beam, FunctionRef<double(const Leaf&, double enter)> visit) const;
+
+  std::size_t leaf_count() const { return tree_.size(); }
+  /// All leaf ids are below.
+  virtual LeafId id_limit() const = 0;
+  CellBox leaf_bounds() const { return tree_.bounds(); }
+  RTreeStatistics tree_statistics() const { return tree_.statistics(); }
+  virtual BytesInUse bytes_in_use() const = 0;
+  std::optional<std::string> check() const;
+
+  // --- Writing ---------------------------------------------------------------
+
+  struct Ensured {
+    LeafId id;
+    CellMask created;
+  };
+  /// Makes the cells of `cells` exist in the leaf at `origin`, new ones with `value`.
+  Ensured ensure(const Cell& origin, const CellMask& cells, Value value);
+  /// The values of a leaf, in the order of positions.
+  virtual std::span<Value> values(LeafId id) = 0;
+  /// Removes existing cells of a leaf; a leaf without cells goes, and its id with it.
+  void remove(LeafId id, const Cell& origin, const CellMask& cells);
+
+  virtual Stamp stamp(LeafId id) const = 0;
+  virtual void set_stamp(LeafId id, Stamp stamp) = 0;
+  /// Packs the nodes of the R-tree full: less memory, less overlap.
+  void repack() { tree_.repack(); }
+
+ protected:
+  LeafStore(const Options& options, std::int32_t edge);
+  LeafStore(const LeafStore&) = default;
+
+  std::size_t tree_bytes() const { return tree_.bytes_in_use(); }
+
+ private:
+  /// A new leaf without cells.
+  virtual LeafId allocate() = 0;
+  /// Frees a leaf without cells.
+  virtual void release(LeafId id) = 0;
+  /// Adds cells that the leaf does not have, with `value`.
+  virtual void add_cells(LeafId id, const CellMask& cells, Value value) = 0;
+  /// Takes cells that the leaf has.
+  virtual void take_cells(LeafId id, const CellMask& cells) = 0;
+  virtual std::optional<std::string> check_storage() const = 0;
+
+  CellBox leaf_box(const Cell& origin) const {
+    return {.min = origin, .max = origin + Cell::Constant(edge())};
+  }
+
+  RTree<LeafId> tree_;
+};
+
+}  // namespace rmap

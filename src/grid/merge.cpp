@@ -1,0 +1,55 @@
+#include <fmt/format.h>
+
+#include <rmap/error.hpp>
+
+#include "grid/implementation.hpp"
+
+namespace rmap {
+
+namespace {
+
+void require_equal(const char* name, double ours, double theirs) {
+  if (ours == theirs) return;
+  throw Error(ErrorKind::input,
+              fmt::format("the maps cannot be merged: {} is {} in one and {} in the other", name,
+                          ours, theirs));
+}
+
+}  // namespace
+
+void Grid::merge(const Grid& other) {
+  require_equal("resolution", options().resolution, other.options().resolution);
+  require_equal("prior", options().prior, other.options().prior);
+  if (&other == this) return merge(Grid(other));
+
+  Implementation& grid = *implementation_;
+  grid.begin_mutation();
+  const bool was_blank = grid.cell_count == 0 && grid.scan_poses.empty();
+  const bool adds_scans = !other.scan_poses().empty();
+
+  // The other map may lie in memory another way: its cells come leaf by leaf of this one.
+  other.visit_leaves(all_cells(), [&](const Leaf& theirs) {
+    theirs.for_each([&](const Cell& cell, Value value) {
+      CellMask one;
+      one.set(grid.store->position_of(cell));
+      const Cell origin = grid.store->origin_of(cell);
+      const auto [id, created] = grid.store->ensure(origin, one, value);
+      grid.cell_count += created.count();
+      grid.update(id, origin, one, created, [&](const Cell&, Value ours) {
+        return created.none() ? grid.rule.clamped(ours + value - grid.rule.prior()) : value;
+      });
+    });
+    return true;
+  });
+
+  const auto poses = other.scan_poses();
+  grid.scan_poses.insert(grid.scan_poses.end(), poses.begin(), poses.end());
+  // Neither map's scans have seen the cells of the other.
+  if (was_blank) {
+    grid.history = other.history();
+  } else if (adds_scans || other.cell_count() > 0) {
+    grid.history = grid.scan_poses.empty() ? History::complete : History::first_hit;
+  }
+}
+
+}  // namespace rmap

@@ -1,0 +1,43 @@
+#include <rmap/value.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace rmap {
+
+namespace {
+
+constexpr double kSteps = 1000;
+
+double log_odds(double probability) { return std::log(probability / (1 - probability)); }
+
+double in_range(double steps) {
+  return std::clamp<double>(steps, std::numeric_limits<Value>::min(),
+                            std::numeric_limits<Value>::max());
+}
+
+}  // namespace
+
+Value value_of(double probability) {
+  return static_cast<Value>(in_range(std::round(kSteps * log_odds(probability))));
+}
+
+double probability_of(Value value) { return 1 / (1 + std::exp(-value / kSteps)); }
+
+UpdateRule::UpdateRule(const Options& options) {
+  check_options(options);
+  const auto step = [&](double probability) {
+    return static_cast<std::int32_t>(
+        std::round(kSteps * (log_odds(probability) - log_odds(options.prior))));
+  };
+  prior_ = value_of(options.prior);
+  threshold_ = value_of(options.occupied_threshold);
+  min_ = value_of(options.clamp_min);
+  max_ = value_of(options.clamp_max);
+  hit_step_ = step(options.prob_hit);
+  miss_step_ = step(options.prob_miss);
+  freeze_ = options.saturation == Saturation::freeze;
+}
+
+}  // namespace rmap

@@ -1,0 +1,139 @@
+#include "io/atomic_file.hpp"
+#include "io/input_file.hpp"
+#include "io/text.hpp"
+
+#include <array>
+#include <cmath>
+#include <optional>
+#include <string>
+
+#include <fmt/format.h>
+
+#include <rmap/error.hpp>
+#include <rmap/scan_files.hpp>
+
+namespace rmap {
+
+namespace {
+
+constexpr std::size_t kMostNumbers = 16;
+constexpr double kLastRowTolerance = 1e-6;
+
+struct Numbers {
+  std::array<double, kMostNumbers> values = {};
+  std::size_t count = 0;
+};
+
+Error line_error(const std::filesystem::path& file, std::size_t line, std::string_view problem) {
+  return {ErrorKind::input, fmt::format("{}, line {}: {}", file.string(), line, problem)};
+}
+
+Numbers parse_numbers(const std::filesystem::path& file, std::size_t line, std::string_view text) {
+  Numbers numbers;
+  for (auto word = next_word(text); !word.empty(); word = next_word(text)) {
+    const auto value = parse_double(word);
+    if (!value) {
+      throw line_error(file, line,
+                       fmt::format("{} is no number, which a pose is made of", in_quotes(word)));
+    }
+    if (numbers.count < kMostNumbers) numbers.values[numbers.count] = *value;
+    ++numbers.count;
+  }
+  return numbers;
+}
+
+bool is_form(std::size_t count) { return count == 7 || count == 8 || count == 12 || count == 16; }
+
+// The 3x4 part of a matrix given row by row.
+Pose matrix_pose(const Numbers& numbers) {
+  Pose pose = Pose::Identity();
+  for (int row = 0; row < 3; ++row) {
+    for (int column = 0; column < 4; ++column) {
+      pose(row, column) = numbers.values[static_cast<std::size_t>(4 * row + column)];
+    }
+  }
+  check_pose(pose);
+  return pose;
+}
+
+void check_last_row(const Numbers& numbers) {
+  const double* row = &numbers.values[12];
+  const bool sound =
+      std::abs(row[0]) <= kLastRowTolerance && std::abs(row[1]) <= kLastRowTolerance &&
+      std::abs(row[2]) <= kLastRowTolerance && std::abs(row[3] - 1) <= kLastRowTolerance;
+  if (!sound) {
+    throw Error(ErrorKind::input, fmt::format("the last row of the 4x4 matrix is {} {} {} {}, "
+                                              "which must be 0 0 0 1",
+                                              row[0], row[1], row[2], row[3]));
+  }
+}
+
+Pose quaternion_pose(const double* values) {
+  return make_pose({values[0], values[1], values[2]},
+                   Eigen::Quaterniond(values[6], values[3], values[4], values[5]));
+}
+
+Pose to_pose(const Numbers& numbers) {
+  switch (numbers.count) {
+    case 7:
+      return quaternion_pose(numbers.values.data());
+    case 8:
+      return quaternion_pose(numbers.values.data() + 1);
+    case 16:
+      check_last_row(numbers);
+      return matrix_pose(numbers);
+    default:
+      return matrix_pose(numbers);
+  }
+}
+
+}  // namespace
+
+std::vector<Pose> read_poses(const std::filesystem::path& file) {
+  const std::vector<std::byte> bytes = InputFile(file).read_rest();
+  std::vector<Pose> poses;
+  std::size_t form = 0;  // numbers a line
+  LineReader lines(as_text(bytes));
+  while (lines.next()) {
+    const std::string_view line = lines.line();
+    const Numbers numbers = parse_numbers(file, lines.number(), line.substr(0, line.find('#')));
+    if (numbers.count == 0) continue;
+    if (!is_form(numbers.count)) {
+      throw line_error(file, lines.number(),
+                       fmt::format("the pose has {} numbers, where 12 (3x4 matrix), 16 (4x4 "
+                                   "matrix), 7 (tx ty tz qx qy qz qw) and 8 (time, then these 7) "
+                                   "are allowed",
+                                   numbers.count));
+    }
+    if (form == 0) form = numbers.count;
+    if (numbers.count != form) {
+      throw line_error(file, lines.number(),
+                       fmt::format("the pose has {} numbers, which must be {} as in the lines "
+                                   "before",
+                                   numbers.count, form));
+    }
+    try {
+      poses.push_back(to_pose(numbers));
+    } catch (const Error& error) {
+      throw line_error(file, lines.number(), error.what());
+    }
+  }
+  return poses;
+}
+
+void write_poses(const std::filesystem::path& file, std::span<const Pose> poses) {
+  AtomicFile output(file);
+  for (const Pose& pose : poses) {
+    std::string line;
+    for (int row = 0; row < 3; ++row) {
+      for (int column = 0; column < 4; ++column) {
+        line += fmt::format("{:.17g} ", pose(row, column));
+      }
+    }
+    line.back() = '\n';
+    output.write(line);
+  }
+  output.commit();
+}
+
+}  // namespace rmap

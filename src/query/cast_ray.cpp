@@ -1,0 +1,87 @@
+#include <rmap/cast_ray.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include <rmap/error.hpp>
+
+namespace rmap {
+
+namespace {
+
+// The ray as a beam that ends at its range, or just beyond all cells of the map.
+struct Ray {
+  Vector3d along;  // of length 1
+  double length;   // metres
+};
+
+Ray checked_ray(const Grid& grid, const Vector3d& origin, const Vector3d& direction,
+                double max_range) {
+  const double scale = direction.cwiseAbs().maxCoeff();
+  if (!direction.allFinite() || scale == 0) {
+    throw Error(ErrorKind::input,
+                fmt::format("the direction of the ray is ({}, {}, {}): it must be finite and not zero",
+                            direction.x(), direction.y(), direction.z()));
+  }
+  if (!(max_range >= 0)) {
+    throw Error(ErrorKind::input,
+                fmt::format("the range of the ray is {} m: it must not be negative", max_range));
+  }
+  static_cast<void>(grid.lattice().cell_of(origin));  // throws beyond the limits
+  const Vector3d scaled = direction / scale;
+  const Box bounds = grid.lattice().metric(grid.bounds());
+  const Vector3d farthest =
+      (bounds.min - origin).cwiseAbs().cwiseMax((bounds.max - origin).cwiseAbs());
+  const double reach = farthest.norm() + grid.options().resolution;
+  return {.along = scaled / scaled.norm(), .length = std::min(max_range, reach)};
+}
+
+// The side through which the beam enters `cell` at parameter `enter`.
+Face entry_face(const Beam& beam, const Cell& cell, double enter) {
+  if (cell == beam.origin_cell()) return Face::none;
+  for (int axis = 0; axis < 3; ++axis) {
+    const double direction = beam.direction()[axis];
+    if (direction == 0) continue;
+    const std::int32_t plane = direction > 0 ? cell[axis] : cell[axis] + 1;
+    if (beam.parameter(axis, plane) == enter) {
+      return static_cast<Face>(1 + 2 * axis + (direction > 0 ? 0 : 1));
+    }
+  }
+  return Face::none;
+}
+
+}  // namespace
+
+std::optional<RayHit> cast_ray(const Grid& grid, const Vector3d& origin, const Vector3d& direction,
+                               double max_range) {
+  const Ray ray = checked_ray(grid, origin, direction, max_range);
+  const Lattice& lattice = grid.lattice();
+  const Beam beam(lattice.to_cells(origin), lattice.to_cells(origin + ray.along * ray.length),
+                  /*cut=*/true);
+
+  std::optional<Cell> first;
+  double first_enter = 1;
+  grid.visit_leaves_along(beam, [&](const Leaf& leaf, double) {
+    for (BeamWalk walk(beam, leaf.box()); walk.more() && walk.enter() < first_enter;
+         walk.advance()) {
+      const BlockPosition position = leaf.edge == 1 ? 0 : block_position(walk.cell());
+      if (leaf.cells->test(position) &&
+          grid.rule().occupied(leaf.values[leaf.cells->rank(position)])) {
+        first = walk.cell();
+        first_enter = walk.enter();
+        break;
+      }
+    }
+    return first_enter;
+  });
+  if (!first) return std::nullopt;
+  const double distance = first_enter * ray.length;
+  return RayHit{.cell = *first,
+                .point = origin + ray.along * distance,
+                .face = entry_face(beam, *first, first_enter),
+                .distance = distance};
+}
+
+}  // namespace rmap

@@ -1,0 +1,251 @@
+#include <rmap/grid.hpp>
+
+#include <gtest/gtest.h>
+
+#include "support/plain_grid.hpp"
+#include "support/scans.hpp"
+
+namespace rmap {
+namespace {
+
+using test::BeamKind;
+using test::PlainGrid;
+using test::Random;
+
+// A grid in both layouts, with one and three threads, beside the plain one.
+class Quartet {
+ public:
+  explicit Quartet(Options options) : plain_(options) {
+    for (const Layout layout : {Layout::blocks, Layout::cells}) {
+      for (const int threads : {1, 3}) {
+        options.layout = layout;
+        options.threads = threads;
+        options.max_branches = threads == 1 ? 16 : 5;
+        grids_.emplace_back(options);
+      }
+    }
+  }
+
+  void prepare(const Scan& scan) {
+    plain_.prepare(scan);
+    for (Grid& grid : grids_) grid.prepare(scan);
+  }
+
+  // Inserts in an order of its own into each.
+  InsertReport insert(const Scan& scan, Random& random) {
+    const InsertReport expected = plain_.insert(scan);
+    for (Grid& grid : grids_) EXPECT_EQ(grid.insert(test::shuffled(scan, random)), expected);
+    return expected;
+  }
+
+  void expect_equal() const {
+    for (const Grid& grid : grids_) {
+      EXPECT_EQ(test::difference(grid, plain_), "");
+      EXPECT_EQ(grid.check().value_or(""), "");
+      EXPECT_TRUE(same_map(grid, grids_.front()));
+    }
+  }
+
+  const PlainGrid& plain() const { return plain_; }
+  const Grid& grid() const { return grids_.front(); }
+
+ private:
+  PlainGrid plain_;
+  std::vector<Grid> grids_;
+};
+
+std::vector<Options> option_sets() {
+  return {
+      {.resolution = 0.1},
+      {.resolution = 0.1, .max_range = 1.5},
+      {.resolution = 0.25, .saturation = Saturation::freeze},
+      {.resolution = 0.1, .beams = Beams::per_end_cell},
+      {.resolution = 0.2, .prob_hit = 0.9, .prob_miss = 0.2, .clamp_min = 0.01, .clamp_max = 0.99,
+       .prior = 0.3, .occupied_threshold = 0.6, .min_range = 0.5, .max_range = 4},
+  };
+}
+
+class InsertOptions : public testing::TestWithParam<int> {};
+
+TEST_P(InsertOptions, RandomScansGiveTheMapOfTheDefinition) {
+  const Options options = option_sets()[static_cast<std::size_t>(GetParam())];
+  Random random(20 + static_cast<std::uint64_t>(GetParam()));
+  SCOPED_TRACE(random.trace());
+  InsertReport total;
+  for (int round = 0; round < 6 && !HasFailure(); ++round) {
+    Quartet quartet(options);
+    for (int i = 0; i < 6; ++i) {
+      Scan scan = test::random_scan(random, 300, 2.5);
+      scan.no_returns = {{1, 0, 0}, {0.3f, -2, 1}, {0, 0, 0}};
+      scan.sensor_range = i % 2 == 0 ? 2 : std::numeric_limits<double>::infinity();
+      scan.points.emplace_back(std::numeric_limits<float>::quiet_NaN(), 0, 0);
+      scan.points.emplace_back(3e38f, 0, 0);
+      if (round % 2 == 1) quartet.prepare(scan);
+      total += quartet.insert(scan, random);
+    }
+    quartet.expect_equal();
+  }
+  EXPECT_EQ(total.points, 6u * 6 * 305);
+  EXPECT_EQ(total.inserted + total.cut + total.skipped.total(), total.points);
+  EXPECT_GT(total.misses, 500u);
+}
+
+INSTANTIATE_TEST_SUITE_P(Sets, InsertOptions, testing::Range(0, 5));
+
+class InsertNasty : public testing::TestWithParam<int> {};
+
+TEST_P(InsertNasty, BeamsGiveTheMapOfTheDefinition) {
+  const auto kind = static_cast<BeamKind>(GetParam());
+  Random random(40 + static_cast<std::uint64_t>(GetParam()));
+  SCOPED_TRACE(random.trace());
+  int scans = 0;
+  InsertReport total;
+  for (const double resolution : {1.0, 0.125, 0.1}) {
+    Quartet quartet({.resolution = resolution, .max_range = resolution * 12});
+    for (int i = 0; i < 16 && !HasFailure(); ++i) {
+      total += quartet.insert(
+          test::nasty_scan(kind, random, 60, 10, resolution, /*own_origins=*/i % 2 == 1), random);
+      ++scans;
+    }
+    quartet.expect_equal();
+  }
+  EXPECT_EQ(scans, 48);
+  if (kind != BeamKind::zero_length) {
+    EXPECT_GT(total.misses, 50u);
+  }
+}
+
+TEST_P(InsertNasty, BeamsNearTheLimitsGiveTheMapOfTheDefinition) {
+  const auto kind = static_cast<BeamKind>(GetParam());
+  Random random(60 + static_cast<std::uint64_t>(GetParam()));
+  SCOPED_TRACE(random.trace());
+  // float32 has steps of 128 cells there: beams among a few lattice points, and over the limit.
+  const Vector3d center(0x1p30 - 300, -0x1p30 + 300, 0x1p30 - 500);
+  Quartet quartet({.resolution = 1});
+  InsertReport total;
+  for (int i = 0; i < 10 && !HasFailure(); ++i) {
+    Scan scan = test::nasty_scan(kind, random, 40, 200, 1, i % 2 == 1, center);
+    total += quartet.insert(scan, random);
+  }
+  quartet.expect_equal();
+  EXPECT_GT(total.inserted, 0u);
+}
+
+INSTANTIATE_TEST_SUITE_P(Kinds, InsertNasty, testing::Range(0, test::kBeamKinds),
+                         [](const auto& kind_info) {
+                           return test::name_of(static_cast<BeamKind>(kind_info.param));
+                         });
+
+// A cell at the edge of the range must be cleared by beams that are cut there:
+// where a cut beam does not clear its last cell, it would stay for ever.
+TEST(Insert, CutBeamsClearTheCellOfTheCut) {
+  for (const Layout layout : {Layout::blocks, Layout::cells}) {
+    Grid grid({.resolution = 0.1, .layout = layout, .max_range = 5});
+    for (int i = 0; i < 5; ++i) grid.insert(test::map_scan({0, 0, 0}, {{4.98f, 0, 0}}));
+    const Cell cell = grid.lattice().cell_of({4.98, 0, 0});
+    EXPECT_EQ(grid.cell_state(cell), State::occupied);
+    for (int i = 0; i < 50; ++i) grid.insert(test::map_scan({0, 0, 0}, {{8, 0, 0}}));
+    EXPECT_EQ(grid.cell_state(cell), State::free);
+    EXPECT_EQ(grid.cell_count(), 1u);
+  }
+}
+
+TEST(Insert, ABeamOfExactlyMaxRangeIsAHit) {
+  Grid grid({.resolution = 0.5, .max_range = 5});
+  const InsertReport report = grid.insert(test::map_scan({0, 0, 0}, {{5, 0, 0}, {0, 5.000001f, 0}}));
+  EXPECT_EQ(report.inserted, 1u);
+  EXPECT_EQ(report.cut, 1u);
+}
+
+TEST(Insert, TouchingBeamsChangeNothing) {
+  Grid start({.resolution = 1});
+  start.insert(test::map_scan({2.5, 2.5, 2.5}, {{2.5f, 2.5f, 2.5f}}));  // the cell (2, 2, 2)
+  const Value before = *start.cell_value({2, 2, 2});
+  struct Case {
+    const char* what;
+    Vector3d origin;
+    Vector3f end;
+    bool crosses;
+  };
+  for (const Case& example : {
+           Case{"passes an edge", {1.5, 2.5, 2.5}, {2.5f, 1.5f, 2.5f}, false},
+           Case{"passes a corner", {1.5, 1.5, 3}, {2.5f, 2.5f, 1}, false},
+           Case{"ends before the lower face", {0.5, 2.5, 2.5}, {1.999999f, 2.5f, 2.5f}, false},
+           Case{"starts in the lower face and leaves", {2, 2.5, 2.5}, {0.5f, 2.5f, 2.5f}, false},
+           Case{"ends in the upper face", {5, 2.5, 2.5}, {3, 2.5f, 2.5f}, false},
+           Case{"lies in an upper face", {0.5, 3, 2.5}, {6.5f, 3, 2.5f}, false},
+           Case{"lies in an upper edge", {0.5, 3, 3}, {6.5f, 3, 3}, false},
+           Case{"lies in a lower face", {0.5, 2, 2.5}, {6.5f, 2, 2.5f}, true},
+           Case{"lies in a lower edge", {0.5, 2, 2}, {6.5f, 2, 2}, true},
+           Case{"passes inside", {0.5, 2.5, 2.5}, {6.5f, 2.5f, 2.5f}, true},
+       }) {
+    SCOPED_TRACE(example.what);
+    Grid grid = start;
+    EXPECT_EQ(grid.insert(test::map_scan(example.origin, {example.end})).misses,
+              example.crosses ? 1u : 0u);
+    EXPECT_EQ(*grid.cell_value({2, 2, 2}), example.crosses ? grid.rule().miss(before) : before);
+  }
+}
+
+TEST(Insert, OneUpdateACellAndScanAndAHitWins) {
+  Grid grid({.resolution = 1});
+  // Ten ends in one cell, and beams through it to a farther one.
+  std::vector<Vector3f> points(10, Vector3f(3.5f, 0.5f, 0.5f));
+  points.insert(points.end(), 10, Vector3f(6.5f, 0.5f, 0.5f));
+  const InsertReport report = grid.insert(test::map_scan({0.5, 0.5, 0.5}, points));
+  EXPECT_EQ(report.end_cells, 2u);
+  EXPECT_EQ(report.hits, 2u);
+  EXPECT_EQ(report.misses, 0u);
+  EXPECT_EQ(grid.cell_value({3, 0, 0}), grid.rule().hit(grid.rule().prior()));
+}
+
+TEST(Insert, ReportsWhatItSkips) {
+  Grid grid({.resolution = 0.1, .min_range = 1});
+  Scan scan;
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  const float infinity = std::numeric_limits<float>::infinity();
+  scan.points = {{nan, 0, 0}, {0, infinity, 0}, {0.5f, 0, 0}, {3e38f, 0, 0}, {2, 0, 0}};
+  scan.no_returns = {{1, 0, 0}, {0, 0, 0}};
+  const InsertReport report = grid.insert(scan);
+  EXPECT_EQ(report.points, 7u);
+  EXPECT_EQ(report.inserted, 1u);
+  EXPECT_EQ(report.skipped,
+            (SkippedPoints{.not_finite = 3, .too_near = 1, .beyond_limits = 1, .no_range = 1}));
+}
+
+TEST(Insert, RefusesWithTheGridAsItWas) {
+  Grid grid({.resolution = 0.1, .bad_points = BadPoints::error});
+  grid.insert(test::map_scan({0, 0, 0}, {{1, 0, 0}}));
+  const Grid before = grid;
+  const auto refused = [&](const Scan& scan, const std::string& part) {
+    try {
+      grid.insert(scan);
+      ADD_FAILURE() << "accepted: " << part;
+    } catch (const Error& error) {
+      EXPECT_NE(std::string(error.what()).find(part), std::string::npos) << error.what();
+    }
+    EXPECT_THROW(grid.prepare(scan), Error);
+    EXPECT_TRUE(same_map(grid, before));
+    EXPECT_EQ(grid.revision(), before.revision());
+  };
+  refused(test::map_scan({0, 0, 0}, {{1, 1, 1}, {3e38f, 0, 0}}), "beyond the limits");
+  refused(test::map_scan({0, 0, 0}, {{1, 1, std::numeric_limits<float>::infinity()}}),
+          "not finite");
+  refused(test::map_scan({1e12, 0, 0}, {{1, 1, 1}}), "origin");
+  refused(test::map_scan({std::nan(""), 0, 0}, {{1, 1, 1}}), "not finite");
+  Scan scan = test::map_scan({0, 0, 0}, {{1, 1, 1}});
+  scan.origins = {{0, 0, 0}, {0, 0, 0}};
+  refused(scan, "2 origins for 1 points");
+  scan.origins = {{0, 0, 1e12}};
+  refused(scan, "origin");
+  scan.origins = {{0, 0, 1}};
+  scan.frame = Frame::sensor;
+  refused(scan, "origin for each point");
+  scan.origins.clear();
+  scan.map_from_sensor.linear() *= 2;
+  scan.name = "scan 7";
+  refused(scan, "scan 7: the 3x3 part of the pose is no rotation");
+}
+
+}  // namespace
+}  // namespace rmap

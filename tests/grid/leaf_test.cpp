@@ -1,0 +1,68 @@
+#include <rmap/leaf.hpp>
+
+#include <set>
+
+#include <gtest/gtest.h>
+
+#include "support/random.hpp"
+
+namespace rmap {
+namespace {
+
+TEST(BlockPosition, FollowsTheMortonOrderOfCells) {
+  for (const Cell& origin : {Cell(0, 0, 0), Cell(-8, 16, -800), Cell(kMinCellIndex, 0, 8)}) {
+    Cell before = origin;
+    for (BlockPosition position = 0; position < kBlockCells; ++position) {
+      const Cell cell = origin + block_offset(position);
+      ASSERT_EQ(block_position(cell), position);
+      ASSERT_EQ(block_origin(cell), origin);
+      ASSERT_TRUE(position == 0 || morton_less(before, cell));
+      before = cell;
+    }
+  }
+}
+
+TEST(CellMask, IsASetOfPositions) {
+  test::Random random(3);
+  SCOPED_TRACE(random.trace());
+  for (int round = 0; round < 200; ++round) {
+    std::set<BlockPosition> a;
+    std::set<BlockPosition> b;
+    CellMask mask_a;
+    CellMask mask_b;
+    const int size = random.integer(0, 512);
+    for (int i = 0; i < size; ++i) {
+      const auto position = static_cast<BlockPosition>(random.integer(0, 511));
+      if (random.chance(0.2)) {
+        a.erase(position);
+        mask_a.reset(position);
+      } else {
+        (random.chance(0.5) ? a : b).insert(position);
+        (a.contains(position) && !b.contains(position) ? mask_a : mask_b).set(position);
+        if (a.contains(position)) mask_a.set(position);
+        if (b.contains(position)) mask_b.set(position);
+      }
+    }
+    ASSERT_EQ(mask_a.count(), a.size());
+    ASSERT_EQ(mask_a.none(), a.empty());
+    std::vector<BlockPosition> listed;
+    mask_a.for_each([&](BlockPosition position) { listed.push_back(position); });
+    ASSERT_EQ(listed, std::vector<BlockPosition>(a.begin(), a.end()));
+    std::uint32_t rank = 0;
+    for (BlockPosition position = 0; position < kBlockCells; ++position) {
+      const bool in_a = a.contains(position);
+      const bool in_b = b.contains(position);
+      ASSERT_EQ(mask_a.test(position), in_a);
+      ASSERT_EQ(mask_a.rank(position), rank);
+      ASSERT_EQ((mask_a & mask_b).test(position), in_a && in_b);
+      ASSERT_EQ(mask_a.without(mask_b).test(position), in_a && !in_b);
+      CellMask both = mask_a;
+      both |= mask_b;
+      ASSERT_EQ(both.test(position), in_a || in_b);
+      rank += in_a ? 1 : 0;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace rmap

@@ -1,0 +1,2 @@
+// Links all public headers into one program; see CMakeLists.txt.
+int main() {}

@@ -1,0 +1,58 @@
+#include "support/scans.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+namespace rmap::test {
+
+Pose random_pose(Random& random, double reach) {
+  const Eigen::Quaterniond rotation(random.gaussian(1), random.gaussian(1), random.gaussian(1),
+                                    random.gaussian(1) + 1e-3);
+  return make_pose(random.point(-reach, reach), rotation);
+}
+
+Scan random_scan(Random& random, std::size_t points, double reach) {
+  Scan scan{.map_from_sensor = random_pose(random, reach / 4)};
+  for (std::size_t i = 0; i < points; ++i) {
+    scan.points.push_back((random.direction() * random.real(0, reach)).cast<float>());
+  }
+  return scan;
+}
+
+Scan nasty_scan(BeamKind kind, Random& random, std::size_t points, double reach_cells,
+                double resolution, bool own_origins, const Vector3d& center_cells) {
+  Scan scan{.frame = Frame::map};
+  const Vector3d shared = nasty_beam(kind, random, reach_cells, center_cells).origin;
+  scan.map_from_sensor.translation() = shared * resolution;
+  for (std::size_t i = 0; i < points; ++i) {
+    BeamEnds ends = nasty_beam(kind, random, reach_cells, center_cells);
+    if (own_origins) {
+      scan.origins.emplace_back(ends.origin * resolution);
+    } else {
+      ends.end += shared - ends.origin;
+    }
+    scan.points.push_back((ends.end * resolution).cast<float>());
+  }
+  return scan;
+}
+
+Scan shuffled(const Scan& scan, Random& random) {
+  std::vector<std::size_t> order(scan.points.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::shuffle(order.begin(), order.end(), random.engine());
+  Scan mixed = scan;
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    mixed.points[i] = scan.points[order[i]];
+    if (!scan.origins.empty()) mixed.origins[i] = scan.origins[order[i]];
+  }
+  std::shuffle(mixed.no_returns.begin(), mixed.no_returns.end(), random.engine());
+  return mixed;
+}
+
+Scan map_scan(const Vector3d& origin, std::vector<Vector3f> points) {
+  Scan scan{.frame = Frame::map, .points = std::move(points)};
+  scan.map_from_sensor.translation() = origin;
+  return scan;
+}
+
+}  // namespace rmap::test
