@@ -193,11 +193,11 @@ void add_point_query(CLI::App& query, const std::shared_ptr<QueryArguments>& sha
   CLI::App& verb = *query.add_subcommand("point", "State and probability of points.");
   const auto arguments = std::make_shared<PointArguments>();
   arguments->shared = shared;
-  set_help(verb, {.usage = "X,Y,Z... [options]",
+  set_help(verb, {.usage = "POINT... [options]",
                   .text = {"A point is asked for the cell that holds it. Where no cell exists, the "
                            "state is assumed_free and the probability the map's free_probability."},
                   .examples = {"rmap query street.rmap point 4.2,0,1.1 -3,0,0.5"}});
-  verb.add_option("X,Y,Z", arguments->requests.texts, "Points, metres.")->option_text("...");
+  verb.add_option("POINT", arguments->requests.texts, "Points x,y,z, metres.")->option_text("...");
   add_from(verb, arguments->requests.from);
   add_json_flag(verb, shared->json);
   verb.callback([arguments] { run_points(*arguments); });
@@ -233,9 +233,9 @@ void add_cast_query(CLI::App& query, const std::shared_ptr<QueryArguments>& shar
                            "how far that is. A ray that starts in an occupied cell hits it at "
                            "distance 0. With --from a line is a ray: six numbers."},
                   .examples = {"rmap query street.rmap cast 0,0,1.8 1,0.3,0 --max-range 50"}});
-  verb.add_option("ORIGIN DIRECTION", arguments->texts,
-                  "Where a ray starts, metres, and its direction, of any length but zero; pairs of "
-                  "x,y,z.")
+  verb.add_option("RAY", arguments->texts,
+                  "Two arguments x,y,z each: where the ray starts, metres, and its direction, of any "
+                  "length but zero.")
       ->option_text("...");
   add_number(verb, "--max-range", arguments->max_range,
              "How far a ray reaches, metres (default inf).");

@@ -1,5 +1,7 @@
 #include <rmap/pose.hpp>
 
+#include <cmath>
+
 #include <fmt/format.h>
 
 #include <rmap/error.hpp>
@@ -45,9 +47,13 @@ Pose make_pose(const Vector3d& translation, const Eigen::Quaterniond& rotation) 
   if (largest == 0) {
     throw Error(ErrorKind::input, "the quaternion of the pose is zero: it must have a length");
   }
+  const Eigen::Vector4d scaled = rotation.coeffs() / largest;
+  // Summed by hand: Eigen's order depends on the width of the machine's registers.
+  const double norm = std::sqrt(((scaled[0] * scaled[0] + scaled[1] * scaled[1]) +
+                                 scaled[2] * scaled[2]) +
+                                scaled[3] * scaled[3]);
   Pose pose = Pose::Identity();
-  pose.linear() =
-      Eigen::Quaterniond(rotation.coeffs() / largest).normalized().toRotationMatrix();
+  pose.linear() = Eigen::Quaterniond(Eigen::Vector4d(scaled / norm)).toRotationMatrix();
   pose.translation() = translation;
   return pose;
 }

@@ -61,8 +61,8 @@ class Walk {
   void pass_over(const Chunk& chunk) {
     reader_.skip(chunk);
     if (!chunk.header.required()) return;
-    throw reader_.error(chunk, fmt::format("is required and needs version {} of the rmap format: "
-                                           "this release of rmap knows version {}",
+    throw reader_.error(chunk, fmt::format("is required but not known: it needs version {} of the "
+                                           "rmap format, and this release of rmap knows version {}",
                                            chunk.header.version, wire::kFormatVersion));
   }
 

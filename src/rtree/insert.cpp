@@ -2,7 +2,6 @@
 #include "rtree/split.hpp"
 
 #include <array>
-#include <cstring>
 
 #include <rmap/rtree/box_tree.hpp>
 

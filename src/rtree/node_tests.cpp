@@ -60,7 +60,7 @@ std::uint64_t all(const BranchColumns& columns) {
 
 std::uint64_t overlapping(const BranchColumns& columns, const CellBox& region) {
   return where_boxes(columns, [&](int axis, std::int32_t min, std::int32_t max) {
-    return both(min<region.max[axis], max> region.min[axis]);
+    return both(max > region.min[axis], min < region.max[axis]);
   });
 }
 

@@ -28,7 +28,7 @@ struct Start {
   std::string input = {};                   ///< standard input
   std::filesystem::path output = {};        ///< standard output goes to this file
   bool into_closed_pipe = false;            ///< standard output is a pipe that nobody reads
-  std::optional<std::size_t> largest_file;  ///< RLIMIT_FSIZE, bytes
+  std::optional<std::size_t> largest_file = {};  ///< RLIMIT_FSIZE, bytes
 };
 
 /// A running `rmap` whose standard error is a terminal.

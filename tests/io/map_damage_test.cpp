@@ -204,18 +204,18 @@ TEST_F(MapDamage, is_not_what_a_newer_release_writes) {
   map.chunks.insert(map.chunks.begin(),
                     {.type = "OBSV", .stored = "abc", .raw_size = 3, .version = 7});
   expect_load_error(map,
-                    ": chunk OBSV at byte 48 is required and needs version 7 of the rmap "
-                    "format: this release of rmap knows version 1");
+                    ": chunk OBSV at byte 48 is required but not known: it needs version 7 of the "
+                    "rmap format, and this release of rmap knows version 1");
   map = plain_;
   map.chunk("CELL").version = 2;
   expect_load_error(map,
-                    ": chunk CELL at byte 428 is required and needs version 2 of the rmap "
-                    "format: this release of rmap knows version 1");
+                    ": chunk CELL at byte 428 is required but not known: it needs version 2 of the "
+                    "rmap format, and this release of rmap knows version 1");
   map.chunks[3].type = {'A', '\n', '\x80', ' '};
   map.chunks[3].version = 1;
   expect_load_error(map,
-                    ": chunk A\\x0a\\x80 at byte 428 is required and needs version 1 of the "
-                    "rmap format: this release of rmap knows version 1");
+                    ": chunk A\\x0a\\x80 at byte 428 is required but not known: it needs version 1 "
+                    "of the rmap format, and this release of rmap knows version 1");
   for (const std::uint32_t version : {0U, 2U, 4294967295U}) {
     map = plain_;
     map.version = version;

@@ -3,6 +3,7 @@
 #include "io/files.hpp"
 
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include <fmt/format.h>
@@ -59,11 +60,8 @@ TEST(PcdHeader, does_without_what_does_not_matter) {
 }
 
 TEST(PcdHeader, names_what_is_missing) {
-  const std::vector<std::pair<std::string, std::string>> cases = {
-      {"FIELDS", "FIELDS"}, {"SIZE", "SIZE"},     {"TYPE", "TYPE"},
-      {"WIDTH", "WIDTH"},   {"HEIGHT", "HEIGHT"}, {"DATA", "DATA"}};
-  for (const auto& [key, named] : cases) {
-    expect_error(ErrorKind::input, "a.pcd is no sound PCD file: the header has no " + named,
+  for (const std::string key : {"FIELDS", "SIZE", "TYPE", "WIDTH", "HEIGHT", "DATA"}) {
+    expect_error(ErrorKind::input, "a.pcd is no sound PCD file: the header has no " + key,
                  [&] { parse_pcd_header("a.pcd", changed(key, "")); });
   }
   expect_error(ErrorKind::input, "a.pcd is no sound PCD file: the header has no POINTS", [] {

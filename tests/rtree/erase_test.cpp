@@ -16,7 +16,7 @@ using test::Random;
 
 constexpr std::size_t kInserted = 120;
 
-const auto kAny = [](BoxTree::Place) { return true; };
+constexpr auto kAny = [](BoxTree::Place) { return true; };
 
 TEST(Erase, LeavesTheVeryTreeOfThePlainAlgorithmDownToTheEmptyOne) {
   int compared = 0;

@@ -13,7 +13,8 @@ namespace {
 template <class Type, class... Fields>
 void print_layout(const char* name, const Type& object, const Fields&... fields) {
   const auto* start = reinterpret_cast<const std::byte*>(&object);
-  std::printf("%s: %zu bytes, aligned to %zu, fields at", name, sizeof(Type), alignof(Type));
+  std::printf("%s: %zu bytes, aligned to %zu", name, sizeof(Type), alignof(Type));
+  if (sizeof...(fields) > 0) std::printf(", fields at");
   (std::printf(" %td", reinterpret_cast<const std::byte*>(&fields) - start), ...);
   std::printf("\n");
 }
