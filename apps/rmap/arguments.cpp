@@ -13,6 +13,7 @@ namespace {
 constexpr char kBoxForm[] = "six numbers x0,y0,z0,x1,y1,z1 in metres";
 constexpr char kVectorForm[] = "three numbers x,y,z";
 constexpr char kSphereForm[] = "four numbers x,y,z,radius in metres, the radius not negative";
+constexpr char kAnyNumber[] = "...";  // the mark of such arguments in the help
 
 bool is_separator(char character) {
   return character == ',' || character == ' ' || character == '\t' || character == '\r';
@@ -48,6 +49,11 @@ std::optional<Sphere> parse_sphere(std::string_view text) {
   return Sphere{.center = {n[0], n[1], n[2]}, .radius = n[3]};
 }
 
+// What stands for the value in the help and in messages of the parser.
+CLI::Option* with_placeholder(CLI::Option* option, const char* placeholder) {
+  return option->type_name(placeholder)->option_text(placeholder);
+}
+
 // An option whose value `parse` makes of its text.
 template <class Target, class Parse>
 CLI::Option* add_parsed(CLI::App& app, const std::string& names, Target& target,
@@ -58,7 +64,7 @@ CLI::Option* add_parsed(CLI::App& app, const std::string& names, Target& target,
     if (!value) throw CLI::ValidationError(refusal(names, text, allowed));
     target = *value;
   };
-  return app.add_option_function<std::string>(names, read, help)->option_text(placeholder);
+  return with_placeholder(app.add_option_function<std::string>(names, read, help), placeholder);
 }
 
 }  // namespace
@@ -155,9 +161,9 @@ CLI::Option* add_boxes(CLI::App& app, const std::string& names, std::vector<Box>
       target.push_back(*box);
     }
   };
-  return app.add_option_function<std::vector<std::string>>(names, read, help)
-      ->allow_extra_args(false)
-      ->option_text("BOX");
+  return with_placeholder(
+      app.add_option_function<std::vector<std::string>>(names, read, help)->allow_extra_args(false),
+      "BOX");
 }
 
 CLI::Option* add_sphere(CLI::App& app, const std::string& names, std::optional<Sphere>& target,
@@ -166,9 +172,9 @@ CLI::Option* add_sphere(CLI::App& app, const std::string& names, std::optional<S
 }
 
 CLI::Option* add_path(CLI::App& app, const std::string& names, std::filesystem::path& target,
-                      const std::string& help) {
+                      const std::string& help, const char* placeholder) {
   const auto read = [&target](const std::string& text) { target = text; };
-  return app.add_option_function<std::string>(names, read, help)->option_text("FILE");
+  return with_placeholder(app.add_option_function<std::string>(names, read, help), placeholder);
 }
 
 CLI::Option* add_paths(CLI::App& app, const std::string& names,
@@ -176,7 +182,13 @@ CLI::Option* add_paths(CLI::App& app, const std::string& names,
   const auto read = [&target](const std::vector<std::string>& texts) {
     target.assign(texts.begin(), texts.end());
   };
-  return app.add_option_function<std::vector<std::string>>(names, read, help)->option_text("...");
+  return app.add_option_function<std::vector<std::string>>(names, read, help)
+      ->option_text(kAnyNumber);
+}
+
+CLI::Option* add_texts(CLI::App& app, const std::string& name, std::vector<std::string>& target,
+                       const std::string& help) {
+  return app.add_option(name, target, help)->option_text(kAnyNumber);
 }
 
 CLI::Option* add_json_flag(CLI::App& app, bool& target) {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "words.hpp"
+
 #include <cstdint>
 #include <filesystem>
 #include <limits>
@@ -14,8 +16,6 @@
 
 #include <rmap/box.hpp>
 #include <rmap/cells.hpp>
-
-#include "words.hpp"
 
 namespace rmap::command {
 
@@ -58,23 +58,28 @@ CLI::Option* add_boxes(CLI::App& app, const std::string& names, std::vector<Box>
 CLI::Option* add_sphere(CLI::App& app, const std::string& names, std::optional<Sphere>& target,
                         const std::string& help);
 CLI::Option* add_path(CLI::App& app, const std::string& names, std::filesystem::path& target,
-                      const std::string& help);
+                      const std::string& help, const char* placeholder = "FILE");
 CLI::Option* add_paths(CLI::App& app, const std::string& names,
                        std::vector<std::filesystem::path>& target, const std::string& help);
+/// Any number of arguments, as they are.
+CLI::Option* add_texts(CLI::App& app, const std::string& name, std::vector<std::string>& target,
+                       const std::string& help);
 CLI::Option* add_json_flag(CLI::App& app, bool& target);
 
 /// An option whose value is one of the words of `Enum`.
 template <class Enum>
 CLI::Option* add_word(CLI::App& app, const std::string& names, Enum& target,
                       const std::string& help) {
-  const auto read = [&app, names, &target](const std::string& text) {
+  const auto read = [names, &target](const std::string& text) {
     const auto value = find_word<Enum>(text);
     if (!value) {
       throw CLI::ValidationError(names + " is \"" + text + "\": it must be " + word_list<Enum>());
     }
     target = *value;
   };
-  return app.add_option_function<std::string>(names, read, help)->option_text("WORD");
+  return app.add_option_function<std::string>(names, read, help)
+      ->type_name("WORD")
+      ->option_text("WORD");
 }
 
 }  // namespace rmap::command

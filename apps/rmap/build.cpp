@@ -1,3 +1,11 @@
+#include "arguments.hpp"
+#include "build_report.hpp"
+#include "help.hpp"
+#include "map_files.hpp"
+#include "map_options.hpp"
+#include "output.hpp"
+#include "progress.hpp"
+#include "scan_filter.hpp"
 #include "verbs.hpp"
 
 #include <chrono>
@@ -13,15 +21,6 @@
 #include <rmap/grid.hpp>
 #include <rmap/map_file.hpp>
 #include <rmap/scan_source.hpp>
-
-#include "arguments.hpp"
-#include "build_report.hpp"
-#include "help.hpp"
-#include "map_files.hpp"
-#include "map_options.hpp"
-#include "output.hpp"
-#include "progress.hpp"
-#include "scan_filter.hpp"
 
 namespace rmap::command {
 
@@ -163,9 +162,9 @@ void run_check(const BuildArguments& arguments) {
     for (const std::string& problem : report.problems) print("problem: " + problem + "\n");
   }
   if (!report.problems.empty()) {
-    throw Error(ErrorKind::input, fmt::format("the check found {}, the first of them: {}",
-                                              counted(report.problems.size(), "problem"),
-                                              report.problems.front()));
+    throw Error(ErrorKind::input,
+                fmt::format("the check found {}, the first of them: {}",
+                            counted(report.problems.size(), "problem"), report.problems.front()));
   }
 }
 
@@ -210,7 +209,8 @@ void add_build(CLI::App& app) {
       {.usage = "SCANS... -o MAP --resolution METRES [options]",
        .text =
            {"A folder of scans holds .bin files (KITTI: float32 x y z intensity) or .pcd files in "
-            "the sensor's frame, and poses.txt with one pose a line, sensor to map: 12 numbers (3x4 "
+            "the sensor's frame, and poses.txt with one pose a line, sensor to map: 12 numbers "
+            "(3x4 "
             "matrix by rows), 16, 7 (tx ty tz qx qy qz qw) or 8 (time first). One file of such a "
             "folder is that scan alone. Several SCANS follow one another.",
             "The map does not depend on the order of points in a scan, --threads or --layout. "
@@ -237,8 +237,9 @@ void add_build(CLI::App& app) {
   add_boxes(verb, "--ignore", arguments->filter.ignore,
             "Sensor's frame: leave out points inside, with their beams, as those on the robot "
             "itself; may be given several times.");
-  verb.add_flag("--dry-run", arguments->dry_run,
-                "Read and check everything, write nothing; tells all problems, not only the first.");
+  verb.add_flag(
+      "--dry-run", arguments->dry_run,
+      "Read and check everything, write nothing; tells all problems, not only the first.");
   add_json_flag(verb, arguments->json);
   arguments->map.add_to(verb);
   verb.callback([arguments] { run(*arguments); });

@@ -1,11 +1,11 @@
 #include "build_report.hpp"
 
+#include "words.hpp"
+
 #include <array>
 #include <utility>
 
 #include <fmt/format.h>
-
-#include "words.hpp"
 
 namespace rmap::command {
 

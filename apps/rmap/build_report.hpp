@@ -1,14 +1,14 @@
 #pragma once
 
+#include "json.hpp"
+#include "scan_filter.hpp"
+
 #include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include <rmap/grid.hpp>
-
-#include "json.hpp"
-#include "scan_filter.hpp"
 
 namespace rmap::command {
 

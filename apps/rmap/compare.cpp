@@ -1,4 +1,9 @@
-#include <rmap/compare.hpp>
+#include "arguments.hpp"
+#include "help.hpp"
+#include "json.hpp"
+#include "map_files.hpp"
+#include "output.hpp"
+#include "verbs.hpp"
 
 #include <algorithm>
 #include <memory>
@@ -6,16 +11,10 @@
 
 #include <fmt/format.h>
 
+#include <rmap/compare.hpp>
 #include <rmap/error.hpp>
 #include <rmap/map_file.hpp>
 #include <rmap/scan_files.hpp>
-
-#include "arguments.hpp"
-#include "help.hpp"
-#include "json.hpp"
-#include "map_files.hpp"
-#include "output.hpp"
-#include "verbs.hpp"
 
 namespace rmap::command {
 
@@ -45,18 +44,18 @@ void print_difference(const Grid& a, const Grid& b, const MapDifference& differe
                 {"same_map", same}});
     return;
   }
-  print(fmt::format("cells        {} in both, {} in A only, {} in B only\n"
-                    "occupied     {} in both, {} in A only, {} in B only\n"
-                    "differences  {} states, {} values, at most {:.6g} in probability\n"
-                    "{}\n",
-                    grouped(difference.both), grouped(difference.only_a),
-                    grouped(difference.only_b), grouped(difference.occupied_both),
-                    grouped(difference.occupied_only_a), grouped(difference.occupied_only_b),
-                    grouped(difference.state_differs), grouped(difference.value_differs),
-                    difference.max_difference,
-                    same                      ? "the same map"
-                    : difference.same_cells() ? "equal cells; options, scans or history differ"
-                                              : "different cells"));
+  print(
+      fmt::format("cells        {} in both, {} in A only, {} in B only\n"
+                  "occupied     {} in both, {} in A only, {} in B only\n"
+                  "differences  {} states, {} values, at most {:.6g} in probability\n"
+                  "{}\n",
+                  grouped(difference.both), grouped(difference.only_a), grouped(difference.only_b),
+                  grouped(difference.occupied_both), grouped(difference.occupied_only_a),
+                  grouped(difference.occupied_only_b), grouped(difference.state_differs),
+                  grouped(difference.value_differs), difference.max_difference,
+                  same                      ? "the same map"
+                  : difference.same_cells() ? "equal cells; options, scans or history differ"
+                                            : "different cells"));
 }
 
 // Where the points of a cloud lie in a map, and which cells have none.
@@ -85,9 +84,15 @@ CloudComparison compare_with_cloud(const Grid& grid, const std::vector<Vector3f>
       continue;
     }
     switch (grid.cell_state(*cell)) {
-      case State::occupied: ++result.in_occupied; break;
-      case State::free: ++result.in_free; break;
-      case State::assumed_free: ++result.in_assumed_free; continue;
+      case State::occupied:
+        ++result.in_occupied;
+        break;
+      case State::free:
+        ++result.in_free;
+        break;
+      case State::assumed_free:
+        ++result.in_assumed_free;
+        continue;
     }
     existing.push_back(*cell);
   }
@@ -115,15 +120,15 @@ void print_cloud_comparison(const Grid& grid, const CloudComparison& found, bool
                 {"occupied_without_point", found.occupied_without_point}});
     return;
   }
-  print(fmt::format("points  {}: {} in occupied, {} in free, {} in assumed_free cells; {} beyond "
-                    "limits, {} not finite\n"
-                    "cells   {}: {} without a point\n"
-                    "        {} occupied: {} without a point\n",
-                    grouped(found.points), grouped(found.in_occupied), grouped(found.in_free),
-                    grouped(found.in_assumed_free), grouped(found.beyond_limits),
-                    grouped(found.not_finite), grouped(grid.cell_count()),
-                    grouped(found.cells_without_point), grouped(occupied_cells(grid)),
-                    grouped(found.occupied_without_point)));
+  print(fmt::format(
+      "points  {}: {} in occupied, {} in free, {} in assumed_free cells; {} beyond "
+      "limits, {} not finite\n"
+      "cells   {}: {} without a point\n"
+      "        {} occupied: {} without a point\n",
+      grouped(found.points), grouped(found.in_occupied), grouped(found.in_free),
+      grouped(found.in_assumed_free), grouped(found.beyond_limits), grouped(found.not_finite),
+      grouped(grid.cell_count()), grouped(found.cells_without_point), grouped(occupied_cells(grid)),
+      grouped(found.occupied_without_point)));
 }
 
 void run(const CompareArguments& arguments) {
@@ -142,26 +147,29 @@ void run(const CompareArguments& arguments) {
   const MapDifference difference = compare(a, b);
   print_difference(a, b, difference, arguments.json);
   if (arguments.expect_equal && !difference.same_cells()) {
-    throw Error(ErrorKind::input,
-                fmt::format("{} and {} are not equal: {} cells are in one only, {} have another value",
-                            arguments.a.string(), arguments.b.string(),
-                            difference.only_a + difference.only_b, difference.value_differs));
+    throw Error(
+        ErrorKind::input,
+        fmt::format("{} and {} are not equal: {} cells are in one only, {} have another value",
+                    arguments.a.string(), arguments.b.string(),
+                    difference.only_a + difference.only_b, difference.value_differs));
   }
 }
 
 }  // namespace
 
 void add_compare(CLI::App& app) {
-  CLI::App& verb = *app.add_subcommand("compare", "Tell how two maps, or a map and a cloud, differ.");
+  CLI::App& verb =
+      *app.add_subcommand("compare", "Tell how two maps, or a map and a cloud, differ.");
   const auto arguments = std::make_shared<CompareArguments>();
   set_help(
       verb,
       {.usage = "A B [options]",
-       .text = {"A is a map. B is a map of the same resolution: the answer counts the cells that are "
-                "in one only and those whose state or value differs. Equal means the same cells "
-                "with the same values; the same map also has the same options, scans and history.",
-                "Or B is a cloud (.bin or .pcd) in the map's frame: the answer counts where its "
-                "points lie in the map, and the cells without a point."},
+       .text =
+           {"A is a map. B is a map of the same resolution: the answer counts the cells that are "
+            "in one only and those whose state or value differs. Equal means the same cells "
+            "with the same values; the same map also has the same options, scans and history.",
+            "Or B is a cloud (.bin or .pcd) in the map's frame: the answer counts where its "
+            "points lie in the map, and the cells without a point."},
        .examples = {"rmap compare street.rmap yard.rmap",
                     "rmap compare street.rmap street/truth/surface.pcd --json"}});
   add_path(verb, "A", arguments->a, "A map, a .rmap file.")->required();

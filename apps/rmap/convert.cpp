@@ -1,6 +1,17 @@
+#include "arguments.hpp"
+#include "help.hpp"
+#include "json.hpp"
+#include "map_files.hpp"
+#include "output.hpp"
+#include "progress.hpp"
+#include "signals.hpp"
+#include "staged_folder.hpp"
+#include "verbs.hpp"
+
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -11,16 +22,6 @@
 #include <rmap/multiresolution.hpp>
 #include <rmap/scan_files.hpp>
 #include <rmap/scan_source.hpp>
-
-#include "arguments.hpp"
-#include "help.hpp"
-#include "json.hpp"
-#include "map_files.hpp"
-#include "output.hpp"
-#include "progress.hpp"
-#include "signals.hpp"
-#include "staged_folder.hpp"
-#include "verbs.hpp"
 
 namespace rmap::command {
 
@@ -36,8 +37,7 @@ struct ConvertArguments {
   std::optional<Box> crop;
   ScanEnding format = ScanEnding::bin;
   bool json = false;
-  /// The options that only maps have, and those that only cells or scans have, to be
-  /// refused where they would have no effect.
+  // Not every option suits every input: one without effect is refused.
   std::vector<const CLI::Option*> map_options;
   const CLI::Option* cells_option = nullptr;
   const CLI::Option* format_option = nullptr;
@@ -124,6 +124,7 @@ void convert_scans(const ConvertArguments& arguments) {
     progress.advance();
   }
   writer.finish();
+  hold.check();
   folder.publish("poses.txt");
   report(arguments, scans, "scan");
 }
@@ -134,6 +135,7 @@ void convert_cloud(const ConvertArguments& arguments) {
   const std::vector<Vector3f> points = read_points(arguments.input);
   const SignalHold hold;
   write_points(arguments.output, points);
+  hold.check();
   report(arguments, points.size(), "point");
 }
 
@@ -146,10 +148,11 @@ void run(const ConvertArguments& arguments) {
   refuse(arguments.cells_option, "it is for maps");
   if (folder) return convert_scans(arguments);
   if (ending == ".bin" || ending == ".pcd") return convert_cloud(arguments);
-  throw Error(ErrorKind::input,
-              fmt::format("the input {} is nothing that can be converted as far as its name says: a "
-                          "map (.rmap), a folder of scans or a cloud (.bin, .pcd) are allowed",
-                          arguments.input.string()));
+  throw Error(
+      ErrorKind::input,
+      fmt::format("the input {} is nothing that can be converted as far as its name says: a "
+                  "map (.rmap), a folder of scans or a cloud (.bin, .pcd) are allowed",
+                  arguments.input.string()));
 }
 
 }  // namespace
@@ -160,11 +163,12 @@ void add_convert(CLI::App& app) {
   set_help(
       verb,
       {.usage = "IN OUT [options]",
-       .text = {"A map (.rmap) becomes cells for other programs: .csv (x,y,z,size,probability,state), "
-                ".ply or .pcd (x y z probability); or another map (.rmap). --crop, --prune and "
-                "--coarsen apply to it in this order.",
-                "A folder of scans becomes another one with files of --format; a cloud (.bin or "
-                ".pcd) becomes the other of the two. Points alone are kept, no intensity."},
+       .text =
+           {"A map (.rmap) becomes cells for other programs: .csv (x,y,z,size,probability,state), "
+            ".ply or .pcd (x y z probability); or another map (.rmap). --crop, --prune and "
+            "--coarsen apply to it in this order.",
+            "A folder of scans becomes another one with files of --format; a cloud (.bin or "
+            ".pcd) becomes the other of the two. Points alone are kept, no intensity."},
        .examples = {"rmap convert street.rmap street.ply",
                     "rmap convert street.rmap coarse.rmap --coarsen 4 --criterion max",
                     "rmap convert street street_pcd --format pcd"}});
@@ -186,9 +190,9 @@ void add_convert(CLI::App& app) {
                "Probability of a coarse cell: " + word_list<Criterion>() +
                    " of its cells (default mean)."),
   };
-  arguments->format_option = add_word(verb, "--format", arguments->format,
-                                      "Files in a folder of scans: " + word_list<ScanEnding>() +
-                                          " (default bin).");
+  arguments->format_option =
+      add_word(verb, "--format", arguments->format,
+               "Files in a folder of scans: " + word_list<ScanEnding>() + " (default bin).");
   add_json_flag(verb, arguments->json);
   verb.callback([arguments] { run(*arguments); });
 }

@@ -22,8 +22,8 @@ std::string entry(const std::string& name, const std::string& text) {
 }
 
 std::string option_entry(const CLI::Option& option) {
-  std::string name = option.get_positional() ? option.get_name(true, false)
-                                             : option.get_name(false, true);
+  std::string name =
+      option.get_positional() ? option.get_name(true, false) : option.get_name(false, true);
   if (name.find(',') != std::string::npos) name.insert(name.find(',') + 1, " ");
   const std::string& placeholder = option.get_option_text();
   if (option.get_positional()) {

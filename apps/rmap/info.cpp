@@ -1,15 +1,15 @@
 #include "info.hpp"
 
-#include <memory>
-#include <vector>
-
-#include <rmap/error.hpp>
-
 #include "arguments.hpp"
 #include "help.hpp"
 #include "map_options.hpp"
 #include "output.hpp"
 #include "verbs.hpp"
+
+#include <memory>
+#include <vector>
+
+#include <rmap/error.hpp>
 
 namespace rmap::command {
 
@@ -48,17 +48,19 @@ void run(const InfoArguments& arguments) {
 void add_info(CLI::App& app) {
   CLI::App& verb = *app.add_subcommand("info", "Tell what is in maps, scans and clouds.");
   const auto arguments = std::make_shared<InfoArguments>();
-  set_help(verb,
-           {.usage = "FILE... [options]",
-            .text = {"A .rmap file is a map, a folder holds scans with poses, a .bin or .pcd file is "
-                     "a cloud of points. All of it is read and checked. With --json one file gives "
-                     "an object, several an array of them; what is infinite or does not exist is "
-                     "null.",
-                     "A map file does not say how the map lay in memory: the options choose how it "
-                     "is loaded, which decides the figures of the R-tree and of the memory."},
-            .examples = {"rmap info street.rmap", "rmap info street.rmap --layout cells "
-                                                  "--max-branches 32 --json",
-                         "rmap info street street/truth/surface.pcd"}});
+  set_help(
+      verb,
+      {.usage = "FILE... [options]",
+       .text = {"A .rmap file is a map, a folder holds scans with poses, a .bin or .pcd file is "
+                "a cloud of points. All of it is read and checked. With --json one file gives "
+                "an object, several an array of them; what is infinite or does not exist is "
+                "null.",
+                "A map file does not say how the map lay in memory: the options choose how it "
+                "is loaded, which decides the figures of the R-tree and of the memory."},
+       .examples = {"rmap info street.rmap",
+                    "rmap info street.rmap --layout cells "
+                    "--max-branches 32 --json",
+                    "rmap info street street/truth/surface.pcd"}});
   add_paths(verb, "FILE", arguments->files, "Maps, folders of scans, clouds.")->required();
   add_json_flag(verb, arguments->json);
   add_load_options(verb, arguments->load);

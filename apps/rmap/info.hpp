@@ -1,11 +1,11 @@
 #pragma once
 
+#include "json.hpp"
+
 #include <filesystem>
 #include <string>
 
 #include <rmap/map_file.hpp>
-
-#include "json.hpp"
 
 namespace rmap::command {
 

@@ -1,11 +1,10 @@
 #include "info.hpp"
+#include "map_files.hpp"
+#include "words.hpp"
 
 #include <fmt/format.h>
 
 #include <rmap/grid.hpp>
-
-#include "map_files.hpp"
-#include "words.hpp"
 
 namespace rmap::command {
 

@@ -1,4 +1,6 @@
 #include "info.hpp"
+#include "progress.hpp"
+#include "words.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -10,9 +12,6 @@
 #include <rmap/pose.hpp>
 #include <rmap/scan_files.hpp>
 #include <rmap/scan_source.hpp>
-
-#include "progress.hpp"
-#include "words.hpp"
 
 namespace rmap::command {
 
@@ -87,25 +86,24 @@ Description describe_scans(const std::filesystem::path& folder) {
   return {.json = {{"file", folder.string()},
                    {"kind", "scans"},
                    {"scans", sum.scans},
-                   {"points", {{"min", sum.points_min}, {"max", sum.points_max}, {"total", sum.points}}},
+                   {"points",
+                    {{"min", sum.points_min}, {"max", sum.points_max}, {"total", sum.points}}},
                    {"not_finite", sum.not_finite},
-                   {"ranges",
-                    any_finite ? Json{{"min", sum.range_min}, {"max", sum.range_max}} : Json(nullptr)},
+                   {"ranges", any_finite ? Json{{"min", sum.range_min}, {"max", sum.range_max}}
+                                         : Json(nullptr)},
                    {"path_length", sum.path_length},
                    {"bounds", sum.bounds.json()}},
-          .words = fmt::format("{}: {} with {}\n"
-                               "  a scan      {} to {} points\n"
-                               "  not finite  {}\n"
-                               "  ranges      {}\n"
-                               "  bounds      {}\n"
-                               "  path        {:.6g} m\n",
-                               folder.string(), counted(sum.scans, "scan"),
-                               counted(sum.points, "point"), grouped(sum.points_min),
-                               grouped(sum.points_max), grouped(sum.not_finite),
-                               any_finite ? fmt::format("{:.6g} to {:.6g} m", sum.range_min,
-                                                        sum.range_max)
-                                          : "none",
-                               sum.bounds.words(), sum.path_length)};
+          .words = fmt::format(
+              "{}: {} with {}\n"
+              "  a scan      {} to {} points\n"
+              "  not finite  {}\n"
+              "  ranges      {}\n"
+              "  bounds      {}\n"
+              "  path        {:.6g} m\n",
+              folder.string(), counted(sum.scans, "scan"), counted(sum.points, "point"),
+              grouped(sum.points_min), grouped(sum.points_max), grouped(sum.not_finite),
+              any_finite ? fmt::format("{:.6g} to {:.6g} m", sum.range_min, sum.range_max) : "none",
+              sum.bounds.words(), sum.path_length)};
 }
 
 Description describe_cloud(const std::filesystem::path& file) {

@@ -1,3 +1,9 @@
+#include "arguments.hpp"
+#include "help.hpp"
+#include "output.hpp"
+#include "signals.hpp"
+#include "verbs.hpp"
+
 #include <cstdio>
 #include <exception>
 #include <new>
@@ -6,12 +12,6 @@
 #include <CLI/CLI.hpp>
 
 #include <rmap/error.hpp>
-
-#include "arguments.hpp"
-#include "help.hpp"
-#include "output.hpp"
-#include "signals.hpp"
-#include "verbs.hpp"
 
 namespace rmap::command {
 
@@ -24,18 +24,18 @@ constexpr int kUsage = 2;
 void add_verbs(CLI::App& app) {
   app.name("rmap");
   app.description("rmap maps for robots: range scans with poses become 3D occupancy maps.");
-  set_help(app, {.usage = "VERB ...",
-                 .text = {"All space is free until a beam ends in it: a map holds only the cells in "
-                          "which beams ended, in an R-tree. `rmap VERB --help` explains a verb. "
-                          "Lengths are metres, probabilities lie in 0 to 1.",
-                          "Exit codes: 0 done; 1 the input or the request is wrong, which one "
-                          "sentence on standard error explains; 2 the command line makes no sense; "
-                          "130 and 143 interrupted by SIGINT and SIGTERM. A file is written as a "
-                          "whole or not at all."},
-                 .examples = {"rmap simulate street --scans 3 -o street",
-                              "rmap build street -o street.rmap --resolution 0.1",
-                              "rmap info street.rmap",
-                              "rmap query street.rmap point 4.2,0,1.1"}});
+  set_help(app,
+           {.usage = "VERB ...",
+            .text = {"All space is free until a beam ends in it: a map holds only the cells in "
+                     "which beams ended, in an R-tree. `rmap VERB --help` explains a verb. "
+                     "Lengths are metres, probabilities lie in 0 to 1.",
+                     "Exit codes: 0 done; 1 the input or the request is wrong, which one "
+                     "sentence on standard error explains; 2 the command line makes no sense; "
+                     "130 and 143 interrupted by SIGINT and SIGTERM. A file is written as a "
+                     "whole or not at all."},
+            .examples = {"rmap simulate street --scans 3 -o street",
+                         "rmap build street -o street.rmap --resolution 0.1",
+                         "rmap info street.rmap", "rmap query street.rmap point 4.2,0,1.1"}});
   app.set_version_flag("--version", "rmap " RMAP_VERSION, "Show the version.");
   app.require_subcommand(1);
   add_simulate(app);
@@ -52,18 +52,20 @@ int complain(int exit_code, const std::string& sentence) {
   return exit_code;
 }
 
-// An unknown verb is missed as a verb only after it is left over as an argument: say which.
+// The parser's reason, in the words of this command, and where to read on.
 std::string usage_sentence(const CLI::App& app, const CLI::ParseError& error) {
   std::string verb = "rmap";
+  bool verb_missing = dynamic_cast<const CLI::RequiredError*>(&error) != nullptr;
   for (const CLI::App* part = &app; !part->get_subcommands().empty();) {
     part = part->get_subcommands().back();
     verb += " " + part->get_name();
+    verb_missing = verb_missing && part->get_require_subcommand_min() > 0;
   }
   std::string reason = error.what();
-  const auto left = app.remaining(true);
-  if (dynamic_cast<const CLI::RequiredError*>(&error) != nullptr && verb == "rmap" &&
-      !left.empty()) {
-    reason = "\"" + left.front() + "\" is no verb";
+  if (verb_missing) {
+    // What is no verb is left over as an argument.
+    const auto left = app.remaining(true);
+    reason = left.empty() ? "a verb is missing" : "\"" + left.front() + "\" is no verb";
   }
   return reason + " (see " + verb + " --help)";
 }

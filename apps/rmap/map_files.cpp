@@ -1,5 +1,8 @@
 #include "map_files.hpp"
 
+#include "signals.hpp"
+#include "words.hpp"
+
 #include <cerrno>
 #include <system_error>
 #include <unistd.h>
@@ -9,9 +12,6 @@
 #include <rmap/cells.hpp>
 #include <rmap/error.hpp>
 #include <rmap/map_file.hpp>
-
-#include "signals.hpp"
-#include "words.hpp"
 
 namespace rmap::command {
 
@@ -39,9 +39,9 @@ void check_output_folder(const std::filesystem::path& file) {
   if (is_device_or_pipe(file)) return;
   const std::filesystem::path folder = file.has_parent_path() ? file.parent_path() : ".";
   if (::access(folder.c_str(), W_OK | X_OK) != 0) {
-    throw Error(ErrorKind::io, fmt::format("cannot write {} into the folder {}: {}", file.string(),
-                                           folder.string(),
-                                           std::generic_category().message(errno)));
+    throw Error(ErrorKind::io,
+                fmt::format("cannot write {} into the folder {}: {}", file.string(),
+                            folder.string(), std::generic_category().message(errno)));
   }
 }
 
@@ -51,8 +51,6 @@ void save_map(const Grid& grid, const std::filesystem::path& file) {
   hold.check();
 }
 
-std::size_t occupied_cells(const Grid& grid) {
-  return count_cells(grid, {.occupied_only = true});
-}
+std::size_t occupied_cells(const Grid& grid) { return count_cells(grid, {.occupied_only = true}); }
 
 }  // namespace rmap::command

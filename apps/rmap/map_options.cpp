@@ -1,10 +1,10 @@
 #include "map_options.hpp"
 
+#include "arguments.hpp"
+
 #include <fmt/format.h>
 
 #include <rmap/error.hpp>
-
-#include "arguments.hpp"
 
 namespace rmap::command {
 
@@ -80,9 +80,9 @@ void MapOptions::add_to(CLI::App& app) {
                         word_list<Beams>(), word_of(defaults.beams)));
 
   add_memory_options(app, options_.layout, options_.max_branches, options_.split);
-  add_integer(app, "--threads", options_.threads,
-              fmt::format("Threads to work with; 0: one for each core (default {}).",
-                          defaults.threads))
+  add_integer(
+      app, "--threads", options_.threads,
+      fmt::format("Threads to work with; 0: one for each core (default {}).", defaults.threads))
       ->group(kMemoryGroup);
   add_word(app, "--bad-points", options_.bad_points,
            fmt::format("What becomes of points that are not finite or beyond what a map can hold: "

@@ -1,3 +1,10 @@
+#include "arguments.hpp"
+#include "help.hpp"
+#include "json.hpp"
+#include "map_files.hpp"
+#include "output.hpp"
+#include "verbs.hpp"
+
 #include <memory>
 #include <vector>
 
@@ -5,13 +12,6 @@
 
 #include <rmap/error.hpp>
 #include <rmap/map_file.hpp>
-
-#include "arguments.hpp"
-#include "help.hpp"
-#include "json.hpp"
-#include "map_files.hpp"
-#include "output.hpp"
-#include "verbs.hpp"
 
 namespace rmap::command {
 
@@ -66,14 +66,16 @@ void run(const MergeArguments& arguments) {
 void add_merge(CLI::App& app) {
   CLI::App& verb = *app.add_subcommand("merge", "Add maps up to one.");
   const auto arguments = std::make_shared<MergeArguments>();
-  set_help(verb,
-           {.usage = "MAP MAP... -o MAP [options]",
-            .text = {"The maps must have one resolution and one prior. What the maps know of a cell "
-                     "is added as log-odds and clamped by the options of the first map, which are "
-                     "those of the result; a cell that only one map has keeps its value."},
-            .examples = {"rmap merge street.rmap yard.rmap -o town.rmap"}});
+  set_help(
+      verb,
+      {.usage = "MAP MAP... -o MAP [options]",
+       .text = {"The maps must have one resolution and one prior. What the maps know of a cell "
+                "is added as log-odds and clamped by the options of the first map, which are "
+                "those of the result; a cell that only one map has keeps its value."},
+       .examples = {"rmap merge street.rmap yard.rmap -o town.rmap"}});
   add_paths(verb, "MAP", arguments->maps, "Maps, .rmap files.")->required();
-  add_path(verb, "-o,--output", arguments->output, "The map to write, ending in .rmap.")->required();
+  add_path(verb, "-o,--output", arguments->output, "The map to write, ending in .rmap.")
+      ->required();
   add_json_flag(verb, arguments->json);
   verb.callback([arguments] { run(*arguments); });
 }

@@ -1,5 +1,7 @@
 #include "number_lines.hpp"
 
+#include "arguments.hpp"
+
 #include <array>
 #include <cerrno>
 #include <iostream>
@@ -9,8 +11,6 @@
 #include <fmt/format.h>
 
 #include <rmap/error.hpp>
-
-#include "arguments.hpp"
 
 namespace rmap::command {
 
@@ -25,8 +25,8 @@ NumberLines::NumberLines(const std::filesystem::path& file)
   if (file == "-") return;
   file_.open(file);
   if (!file_) {
-    throw Error(ErrorKind::io, fmt::format("cannot open {}: {}", name_,
-                                           std::generic_category().message(errno)));
+    throw Error(ErrorKind::io,
+                fmt::format("cannot open {}: {}", name_, std::generic_category().message(errno)));
   }
   stream_ = &file_;
 }
@@ -50,8 +50,9 @@ bool NumberLines::next(std::span<double> numbers) {
   }
   if (!stream_->eof()) {
     ++line_;
-    throw Error(ErrorKind::input, fmt::format("{} is longer than the {} characters that are allowed",
-                                              place(), kLongestLine - 1));
+    throw Error(ErrorKind::input,
+                fmt::format("{} is longer than the {} characters that are allowed", place(),
+                            kLongestLine - 1));
   }
   return false;
 }

@@ -1,6 +1,7 @@
 #include "progress.hpp"
 
 #include "output.hpp"
+#include "signals.hpp"
 
 #include <cstdio>
 #include <utility>
@@ -24,7 +25,9 @@ Progress::Progress(std::string doing, std::optional<std::size_t> total)
       next_(start_) {}
 
 Progress::~Progress() {
-  if (visible_ && done_ > 0) std::fputs(kWipeLine, stderr);
+  if (!visible_) return;
+  std::fputs(kWipeLine, stderr);
+  set_line_open(false);
 }
 
 void Progress::advance() {
@@ -46,6 +49,7 @@ void Progress::show(Clock::time_point now) {
     line += fmt::format(", {:.0f} s left", static_cast<double>(*total_ - done_) / rate);
   }
   std::fputs(line.c_str(), stderr);
+  set_line_open(true);
 }
 
 }  // namespace rmap::command

@@ -15,6 +15,9 @@ struct QueryArguments {
   bool json = false;
 };
 
+/// Loads the map that is asked. Throws UsageError when none is named.
+Grid load_map(const QueryArguments& arguments);
+
 // The queries of `rmap query MAP`, as verbs below it.
 
 void add_point_query(CLI::App& query, const std::shared_ptr<QueryArguments>& shared);

@@ -1,17 +1,18 @@
-#include <algorithm>
-#include <optional>
-
-#include <fmt/format.h>
-
-#include <rmap/cells.hpp>
-#include <rmap/map_file.hpp>
-#include <rmap/multiresolution.hpp>
-
 #include "arguments.hpp"
 #include "help.hpp"
 #include "json.hpp"
 #include "output.hpp"
 #include "query.hpp"
+
+#include <algorithm>
+#include <memory>
+#include <optional>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include <rmap/cells.hpp>
+#include <rmap/multiresolution.hpp>
 
 namespace rmap::command {
 
@@ -48,13 +49,11 @@ void print_cell(const Vector3d& center, double size, double probability, State s
 }
 
 void print_single_cells(const Grid& grid, const CellsArguments& arguments) {
-  const CellSelection selection{.box = arguments.box,
-                                .sphere = arguments.sphere,
-                                .occupied_only = arguments.occupied_only};
+  const CellSelection selection{
+      .box = arguments.box, .sphere = arguments.sphere, .occupied_only = arguments.occupied_only};
   for (const auto& [cell, value] : cells(grid, selection)) {
     print_cell(grid.lattice().center(cell), grid.lattice().resolution(), probability_of(value),
-               grid.rule().occupied(value) ? State::occupied : State::free,
-               arguments.shared->json);
+               grid.rule().occupied(value) ? State::occupied : State::free, arguments.shared->json);
   }
 }
 
@@ -89,7 +88,7 @@ void run(const CellsArguments& arguments) {
       throw UsageError(fmt::format("{} is {}: it must not be negative", name, *number));
     }
   }
-  const Grid grid = load(arguments.shared->map);
+  const Grid grid = load_map(*arguments.shared);
   print_header(arguments.shared->json);
   if (arguments.center) {
     print_multiresolution(grid, arguments);

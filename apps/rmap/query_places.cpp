@@ -1,5 +1,13 @@
+#include "arguments.hpp"
+#include "help.hpp"
+#include "json.hpp"
+#include "number_lines.hpp"
+#include "output.hpp"
+#include "query.hpp"
+
 #include <array>
-#include <functional>
+#include <limits>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -10,14 +18,6 @@
 #include <rmap/box_query.hpp>
 #include <rmap/cast_ray.hpp>
 #include <rmap/error.hpp>
-#include <rmap/map_file.hpp>
-
-#include "arguments.hpp"
-#include "help.hpp"
-#include "json.hpp"
-#include "number_lines.hpp"
-#include "output.hpp"
-#include "query.hpp"
 
 namespace rmap::command {
 
@@ -77,7 +77,7 @@ struct PointArguments {
 
 void run_points(const PointArguments& arguments) {
   const auto given = arguments.requests.parsed();
-  const Grid grid = load(arguments.shared->map);
+  const Grid grid = load_map(*arguments.shared);
   const bool json = arguments.shared->json;
   if (!json) print(fmt::format("{:>12} {:>12} {:>12}  probability  state\n", "x", "y", "z"));
   arguments.requests.answer_all(given, [&](const std::array<double, 3>& numbers) {
@@ -100,14 +100,13 @@ void run_points(const PointArguments& arguments) {
 
 struct BoxArguments {
   std::shared_ptr<QueryArguments> shared;
-  Requests<6> requests{
-      .texts = {}, .from = {}, .form = "six numbers x0,y0,z0,x1,y1,z1 in metres"};
+  Requests<6> requests{.texts = {}, .from = {}, .form = "six numbers x0,y0,z0,x1,y1,z1 in metres"};
   Criterion criterion = Criterion::mean;
 };
 
 void run_boxes(const BoxArguments& arguments) {
   const auto given = arguments.requests.parsed();
-  const Grid grid = load(arguments.shared->map);
+  const Grid grid = load_map(*arguments.shared);
   const bool json = arguments.shared->json;
   if (!json) {
     print(fmt::format("{:>10} {:>10}  {:<8} {:>12} {:>10} {:>10}  {}\n", "mean", "max", "occupied",
@@ -179,7 +178,7 @@ void run_casts(const CastArguments& arguments) {
                                          direction.x(), direction.y(), direction.z()));
   }
   const auto given = requests.parsed();
-  const Grid grid = load(arguments.shared->map);
+  const Grid grid = load_map(*arguments.shared);
   const bool json = arguments.shared->json;
   if (!json) print(fmt::format("{:>12}  {:<6} {}\n", "distance", "face", "point"));
   requests.answer_all(given, [&](const std::array<double, 6>& n) {
@@ -197,7 +196,7 @@ void add_point_query(CLI::App& query, const std::shared_ptr<QueryArguments>& sha
                   .text = {"A point is asked for the cell that holds it. Where no cell exists, the "
                            "state is assumed_free and the probability the map's free_probability."},
                   .examples = {"rmap query street.rmap point 4.2,0,1.1 -3,0,0.5"}});
-  verb.add_option("POINT", arguments->requests.texts, "Points x,y,z, metres.")->option_text("...");
+  add_texts(verb, "POINT", arguments->requests.texts, "Points x,y,z, metres.");
   add_from(verb, arguments->requests.from);
   add_json_flag(verb, shared->json);
   verb.callback([arguments] { run_points(*arguments); });
@@ -214,8 +213,7 @@ void add_box_query(CLI::App& query, const std::shared_ptr<QueryArguments>& share
                      "holds for the whole cells that the box overlaps, which the answer names; "
                      "borders within a millionth of a cell border snap to it."},
             .examples = {"rmap query street.rmap box 4,-1,0,6,1,2 --criterion max"}});
-  verb.add_option("BOX", arguments->requests.texts, "Boxes x0,y0,z0,x1,y1,z1, metres.")
-      ->option_text("...");
+  add_texts(verb, "BOX", arguments->requests.texts, "Boxes x0,y0,z0,x1,y1,z1, metres.");
   add_word(verb, "--criterion", arguments->criterion,
            "Which number decides whether the box is occupied: " + word_list<Criterion>() +
                " (default mean).");
@@ -233,10 +231,9 @@ void add_cast_query(CLI::App& query, const std::shared_ptr<QueryArguments>& shar
                            "how far that is. A ray that starts in an occupied cell hits it at "
                            "distance 0. With --from a line is a ray: six numbers."},
                   .examples = {"rmap query street.rmap cast 0,0,1.8 1,0.3,0 --max-range 50"}});
-  verb.add_option("RAY", arguments->texts,
-                  "Two arguments x,y,z each: where the ray starts, metres, and its direction, of any "
-                  "length but zero.")
-      ->option_text("...");
+  add_texts(verb, "RAY", arguments->texts,
+            "Two arguments x,y,z each: where the ray starts, metres, and its direction, of any "
+            "length but zero.");
   add_number(verb, "--max-range", arguments->max_range,
              "How far a ray reaches, metres (default inf).");
   add_from(verb, arguments->from);

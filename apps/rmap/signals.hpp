@@ -8,6 +8,10 @@ namespace rmap::command {
 /// caller has switched off stay off.
 void install_signal_handlers();
 
+/// Says whether the last line on the terminal lacks its end, as a line of progress does:
+/// a signal that ends the command at once then ends the line too.
+void set_line_open(bool open);
+
 /// A signal has come while it was held: the command is to clean up and end with
 /// `exit_code`. Not a failure, hence no Error.
 struct Interrupted {

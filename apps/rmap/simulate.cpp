@@ -1,10 +1,19 @@
+#include "arguments.hpp"
+#include "help.hpp"
+#include "output.hpp"
+#include "progress.hpp"
+#include "signals.hpp"
+#include "staged_folder.hpp"
+#include "truth.hpp"
 #include "verbs.hpp"
 
+#include <cerrno>
 #include <filesystem>
 #include <fstream>
 #include <memory>
 #include <optional>
 #include <string>
+#include <system_error>
 #include <vector>
 
 #include <fmt/format.h>
@@ -13,19 +22,11 @@
 #include <rmap/scan_files.hpp>
 #include <rmap/simulation.hpp>
 
-#include "arguments.hpp"
-#include "help.hpp"
-#include "output.hpp"
-#include "progress.hpp"
-#include "signals.hpp"
-#include "staged_folder.hpp"
-#include "truth.hpp"
-
 namespace rmap::command {
 
 namespace {
 
-constexpr double kSurfaceSpacing = 0.05;  // metres
+constexpr double kSurfaceSpacing = 0.1;  // metres
 constexpr char kSurfaceFile[] = "truth/surface.pcd";
 constexpr char kTruthFile[] = "truth.json";
 
@@ -77,7 +78,10 @@ void write_text(const std::filesystem::path& file, const std::string& text) {
   std::ofstream stream(file, std::ios::binary);
   stream << text;
   stream.close();
-  if (!stream) throw Error(ErrorKind::io, fmt::format("cannot write {}", file.string()));
+  if (!stream) {
+    throw Error(ErrorKind::io, fmt::format("cannot write {}: {}", file.string(),
+                                           std::generic_category().message(errno)));
+  }
 }
 
 struct Written {
@@ -125,9 +129,10 @@ Written write_all(const Simulation& simulation, const SimulateArguments& argumen
 void run(const SimulateArguments& arguments) {
   if (arguments.list) return list_scenes(arguments.json);
   if (arguments.scene.empty() || arguments.output.empty()) {
-    throw UsageError(fmt::format("{} is missing: `rmap simulate SCENE -o FOLDER` (see rmap simulate "
-                                 "--help)",
-                                 arguments.scene.empty() ? "SCENE" : "-o"));
+    throw UsageError(
+        fmt::format("{} is missing: `rmap simulate SCENE -o FOLDER` (see rmap simulate "
+                    "--help)",
+                    arguments.scene.empty() ? "SCENE" : "-o"));
   }
   SimulationOptions options{.scans = arguments.scans,
                             .noise = arguments.noise,
@@ -161,23 +166,25 @@ void add_simulate(CLI::App& app) {
   set_help(
       verb,
       {.usage = "SCENE -o FOLDER [options]",
-       .text = {"Scenes: " + joined(scene_names()) + ". --list describes them.",
-                "The folder gets scans in the sensor's frame, poses.txt, truth.json (all objects of "
-                "the scene exactly, the sensor and the times of the scans) and truth/surface.pcd "
-                "(points of the true static surface in the map's frame). `rmap compare MAP "
-                "FOLDER/truth/surface.pcd` measures a map by it. The same options give the same "
-                "bytes."},
+       .text =
+           {"Scenes: " + joined(scene_names()) + ". --list describes them.",
+            "The folder gets scans in the sensor's frame, poses.txt, truth.json (all objects of "
+            "the scene exactly, the sensor and the times of the scans) and truth/surface.pcd "
+            "(points of the true static surface in the map's frame). `rmap compare MAP "
+            "FOLDER/truth/surface.pcd` measures a map by it. The same options give the same "
+            "bytes."},
        .examples = {"rmap simulate street --scans 3 -o street",
                     "rmap simulate room --sensor depth_camera --noise 0.01 --seed 7 -o noisy",
                     "rmap simulate --list"}});
   verb.add_option("SCENE", arguments->scene, "Name of the scene.");
   add_path(verb, "-o,--output", arguments->output,
-           "Folder for the scans, without scans or poses so far; made where it is missing.")
-      ->option_text("FOLDER");
+           "Folder for the scans, without scans or poses so far; made where it is missing.",
+           "FOLDER");
   add_integer(verb, "--scans", arguments->scans,
               "Number of scans, spread over the scene's way (default: the scene's own).", 1);
   verb.add_option("--sensor", arguments->sensor,
                   "Sensor: " + joined(sensor_names()) + " (default: the scene's own).")
+      ->type_name("NAME")
       ->option_text("NAME");
   add_number(verb, "--noise", arguments->noise,
              "Standard deviation of the error along the beam, metres (default: the scene's own).");

@@ -1,5 +1,7 @@
 #include "staged_folder.hpp"
 
+#include "words.hpp"
+
 #include <system_error>
 #include <unistd.h>
 #include <utility>
@@ -8,8 +10,6 @@
 #include <fmt/format.h>
 
 #include <rmap/error.hpp>
-
-#include "words.hpp"
 
 namespace rmap::command {
 

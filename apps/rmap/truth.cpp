@@ -1,8 +1,8 @@
 #include "truth.hpp"
 
-#include <cmath>
-
 #include "words.hpp"
+
+#include <cmath>
 
 namespace rmap::command {
 

@@ -1,11 +1,11 @@
 #pragma once
 
+#include "json.hpp"
+
 #include <cstddef>
 #include <string>
 
 #include <rmap/simulation.hpp>
-
-#include "json.hpp"
 
 namespace rmap::command {
 

@@ -117,6 +117,7 @@ class Grid {
   /// Error(input) when it does not, Error(limit).
   void set_block(const Cell& origin, const CellMask& cells, std::span<const Value> values);
   /// Takes over the records of a map that was built elsewhere: how a file is read.
+  /// Throws Error(input) when a pose is none.
   void restore(History history, std::vector<Pose> scan_poses);
   /// Packs the nodes of the R-tree full: less memory and less overlap. The map stays the same.
   void repack();

@@ -112,6 +112,7 @@ void Grid::set_block(const Cell& origin, const CellMask& cells, std::span<const 
 }
 
 void Grid::restore(History history, std::vector<Pose> scan_poses) {
+  for (const Pose& pose : scan_poses) check_pose(pose);
   implementation_->begin_mutation();
   implementation_->history = history;
   implementation_->scan_poses = std::move(scan_poses);

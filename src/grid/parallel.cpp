@@ -6,6 +6,7 @@
 #include <vector>
 
 #ifndef RMAP_PARALLEL_JTHREAD
+#include <oneapi/tbb/info.h>
 #include <oneapi/tbb/parallel_for.h>
 #include <oneapi/tbb/task_arena.h>
 #endif
@@ -35,7 +36,9 @@ void run_tasks(std::size_t tasks, FunctionRef<void(std::size_t)> task) {
     if (error) std::rethrow_exception(error);
   }
 #else
-  oneapi::tbb::task_arena arena(static_cast<int>(tasks));
+  // More threads than cores would be slower, and oneTBB would warn on stderr.
+  oneapi::tbb::task_arena arena(
+      std::min(static_cast<int>(tasks), oneapi::tbb::info::default_concurrency()));
   arena.execute([&] {
     oneapi::tbb::parallel_for(std::size_t{0}, tasks, [&](std::size_t i) { task(i); });
   });

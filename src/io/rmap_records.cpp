@@ -11,11 +11,11 @@ namespace rmap::wire {
 namespace {
 
 // The numbers of OPTS, in their order in the file.
-constexpr std::array kNumbers = {
-    &Options::resolution,         &Options::prob_hit,         &Options::prob_miss,
-    &Options::clamp_min,          &Options::clamp_max,        &Options::prior,
-    &Options::occupied_threshold, &Options::free_probability, &Options::min_range,
-    &Options::max_range};
+constexpr std::array kNumbers = {&Options::resolution,         &Options::prob_hit,
+                                 &Options::prob_miss,          &Options::clamp_min,
+                                 &Options::clamp_max,          &Options::prior,
+                                 &Options::occupied_threshold, &Options::free_probability,
+                                 &Options::min_range,          &Options::max_range};
 
 // Choices by their number in the file, which is not their number in memory.
 constexpr std::array kSaturations = {Saturation::clamp, Saturation::freeze};

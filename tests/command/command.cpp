@@ -57,7 +57,8 @@ void close_reader_of_output() {
   ::close(ends[1]);
 }
 
-[[noreturn]] void become_command(const fs::path& folder, const std::vector<std::string>& arguments) {
+[[noreturn]] void become_command(const fs::path& folder,
+                                 const std::vector<std::string>& arguments) {
   std::vector<char*> argv{const_cast<char*>("rmap")};
   for (const std::string& argument : arguments) argv.push_back(const_cast<char*>(argument.c_str()));
   argv.push_back(nullptr);

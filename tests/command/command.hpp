@@ -6,6 +6,7 @@
 #include <sys/types.h>
 #include <vector>
 
+#include <Eigen/Core>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
@@ -25,9 +26,9 @@ struct Outcome {
 
 /// How a command is started beside its arguments.
 struct Start {
-  std::string input = {};                   ///< standard input
-  std::filesystem::path output = {};        ///< standard output goes to this file
-  bool into_closed_pipe = false;            ///< standard output is a pipe that nobody reads
+  std::string input = {};                        ///< standard input
+  std::filesystem::path output = {};             ///< standard output goes to this file
+  bool into_closed_pipe = false;                 ///< standard output is a pipe that nobody reads
   std::optional<std::size_t> largest_file = {};  ///< RLIMIT_FSIZE, bytes
 };
 
@@ -53,6 +54,11 @@ class RunningCommand {
   int descriptor_ = -1;
   std::string terminal_;
 };
+
+/// A vector as JSON has it.
+inline std::vector<double> numbers(const Eigen::Vector3d& vector) {
+  return {vector.x(), vector.y(), vector.z()};
+}
 
 /// A test with an empty folder of its own, in which commands run.
 class CommandTest : public testing::Test {

@@ -1,4 +1,5 @@
-#include <rmap/compare.hpp>
+#include "command/command.hpp"
+#include "support/random.hpp"
 
 #include <array>
 #include <set>
@@ -6,11 +7,9 @@
 #include <gmock/gmock.h>
 
 #include <rmap/cells.hpp>
+#include <rmap/compare.hpp>
 #include <rmap/map_file.hpp>
 #include <rmap/scan_files.hpp>
-
-#include "command/command.hpp"
-#include "support/random.hpp"
 
 namespace rmap::test {
 

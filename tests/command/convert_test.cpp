@@ -1,3 +1,6 @@
+#include "command/command.hpp"
+#include "support/random.hpp"
+
 #include <algorithm>
 
 #include <gmock/gmock.h>
@@ -7,9 +10,6 @@
 #include <rmap/multiresolution.hpp>
 #include <rmap/scan_files.hpp>
 #include <rmap/scan_source.hpp>
-
-#include "command/command.hpp"
-#include "support/random.hpp"
 
 namespace rmap::test {
 
@@ -85,8 +85,8 @@ TEST_F(Convert, CropKeepsTheCellsOfTheBox) {
 TEST_F(Convert, ScanFoldersThereAndBack) {
   simulate_room("room");
   EXPECT_EQ(rmap_json({"convert", "room", "room_pcd", "--format", "pcd"})["scans"], 3);
-  EXPECT_THAT(listing("room_pcd"), testing::ElementsAre("000000.pcd", "000001.pcd", "000002.pcd",
-                                                        "poses.txt"));
+  EXPECT_THAT(listing("room_pcd"),
+              testing::ElementsAre("000000.pcd", "000001.pcd", "000002.pcd", "poses.txt"));
   rmap_done({"convert", "room_pcd", "room_bin", "--format", "bin"});
   for (const char* file : {"000000.bin", "000001.bin", "000002.bin", "poses.txt"}) {
     EXPECT_EQ(bytes(std::filesystem::path("room_bin") / file),

@@ -1,11 +1,11 @@
+#include "command/command.hpp"
+
 #include <iterator>
 #include <sstream>
 #include <string>
 #include <vector>
 
 #include <gmock/gmock.h>
-
-#include "command/command.hpp"
 
 namespace rmap::test {
 
@@ -14,15 +14,14 @@ namespace {
 using testing::HasSubstr;
 
 const std::vector<std::vector<std::string>> kVerbs = {
-    {"simulate"},         {"build"},         {"info"},           {"query"},
-    {"query", "point"},   {"query", "box"},  {"query", "cast"},  {"query", "cells"},
-    {"compare"},          {"merge"},         {"convert"},
+    {"simulate"},       {"build"},        {"info"},          {"query"},
+    {"query", "point"}, {"query", "box"}, {"query", "cast"}, {"query", "cells"},
+    {"compare"},        {"merge"},        {"convert"},
 };
 
 class Examples : public CommandTest {
  protected:
   std::string help(std::vector<std::string> verb) const {
-    if (verb.size() == 2) verb.insert(verb.begin() + 1, "street.rmap");
     verb.emplace_back("--help");
     return rmap_done(verb).out;
   }
@@ -81,11 +80,30 @@ TEST_F(Examples, HelpExplainsEachOption) {
     }
   }
   const std::string build = help({"build"});
-  for (const char* option :
-       {"--resolution", "--layout", "--max-branches", "--split", "--prob-hit", "--prob-miss",
-        "--clamp-min", "--clamp-max", "--prior", "--occupied-threshold", "--free-probability",
-        "--saturation", "--beams", "--min-range", "--max-range", "--threads", "--bad-points",
-        "--history", "--dry-run", "--onto", "--every", "--crop", "--ignore", "--json"}) {
+  for (const char* option : {"--resolution",
+                             "--layout",
+                             "--max-branches",
+                             "--split",
+                             "--prob-hit",
+                             "--prob-miss",
+                             "--clamp-min",
+                             "--clamp-max",
+                             "--prior",
+                             "--occupied-threshold",
+                             "--free-probability",
+                             "--saturation",
+                             "--beams",
+                             "--min-range",
+                             "--max-range",
+                             "--threads",
+                             "--bad-points",
+                             "--history",
+                             "--dry-run",
+                             "--onto",
+                             "--every",
+                             "--crop",
+                             "--ignore",
+                             "--json"}) {
     EXPECT_THAT(build, HasSubstr(std::string("  ") + option)) << option;
   }
 }

@@ -1,3 +1,6 @@
+#include "command/command.hpp"
+#include "support/random.hpp"
+
 #include <cmath>
 
 #include <gmock/gmock.h>
@@ -5,9 +8,6 @@
 #include <rmap/map_file.hpp>
 #include <rmap/scan_files.hpp>
 #include <rmap/scan_source.hpp>
-
-#include "command/command.hpp"
-#include "support/random.hpp"
 
 namespace rmap::test {
 
@@ -33,10 +33,8 @@ TEST_F(Info, MapsInEitherLayout) {
   EXPECT_EQ(blocks["rtree"]["items"], grid.leaf_count());
   EXPECT_EQ(blocks["rtree"]["height"], blocks["rtree"]["levels"].size());
   const Box bounds = grid.lattice().metric(grid.bounds());
-  for (int axis = 0; axis < 3; ++axis) {
-    EXPECT_EQ(blocks["bounds"]["min"][axis], bounds.min[axis]);
-    EXPECT_EQ(blocks["bounds"]["max"][axis], bounds.max[axis]);
-  }
+  EXPECT_EQ(blocks["bounds"]["min"], numbers(bounds.min));
+  EXPECT_EQ(blocks["bounds"]["max"], numbers(bounds.max));
   const auto& bytes = blocks["bytes_in_use"];
   EXPECT_EQ(bytes["total"].get<std::size_t>(),
             bytes["nodes"].get<std::size_t>() + bytes["blocks"].get<std::size_t>() +
@@ -44,8 +42,8 @@ TEST_F(Info, MapsInEitherLayout) {
   EXPECT_EQ(blocks["options"]["max_range"], nullptr) << "infinite";
   EXPECT_EQ(blocks["chunks"].back()["type"].get<std::string>().substr(0, 3), "END");
 
-  const auto cells = rmap_json({"info", "map.rmap", "--layout", "cells", "--max-branches", "5",
-                                "--split", "linear"});
+  const auto cells = rmap_json(
+      {"info", "map.rmap", "--layout", "cells", "--max-branches", "5", "--split", "linear"});
   EXPECT_EQ(cells["layout"], "cells");
   EXPECT_EQ(cells["max_branches"], 5);
   EXPECT_EQ(cells["split"], "linear");
@@ -93,10 +91,8 @@ TEST_F(Info, FoldersOfScans) {
   EXPECT_EQ(info["ranges"]["max"], range_max);
   EXPECT_DOUBLE_EQ(info["path_length"], path);
   EXPECT_EQ(info["not_finite"], 0);
-  for (int axis = 0; axis < 3; ++axis) {
-    EXPECT_EQ(info["bounds"]["min"][axis], bounds.min[axis]);
-    EXPECT_EQ(info["bounds"]["max"][axis], bounds.max[axis]);
-  }
+  EXPECT_EQ(info["bounds"]["min"], numbers(bounds.min));
+  EXPECT_EQ(info["bounds"]["max"], numbers(bounds.max));
 }
 
 TEST_F(Info, CloudsAndSeveralFiles) {

@@ -1,8 +1,8 @@
+#include "command/command.hpp"
+
 #include <gmock/gmock.h>
 
 #include <rmap/map_file.hpp>
-
-#include "command/command.hpp"
 
 namespace rmap::test {
 
@@ -12,7 +12,8 @@ using MainJob = CommandTest;
 
 // The whole way of a user, each step with what the one before has left.
 TEST_F(MainJob, FromASceneToAMapAndItsAnswers) {
-  const auto simulated = rmap_json({"simulate", "room", "--scans", "4", "-o", "room"});
+  const auto simulated =
+      rmap_json({"simulate", "room", "--scans", "4", "--spacing", "0.05", "-o", "room"});
   EXPECT_EQ(simulated["scans"], 4);
   const auto folder_info = rmap_json({"info", "room"});
   EXPECT_EQ(folder_info["points"]["total"], simulated["points"]);
@@ -82,7 +83,8 @@ TEST_F(MainJob, WordsForPeople) {
   EXPECT_THAT(rmap_done({"convert", "room.rmap", "room.ply"}).out,
               testing::HasSubstr("room.ply: "));
   EXPECT_THAT(rmap_done({"simulate", "--list"}).out, testing::HasSubstr("street"));
-  EXPECT_THAT(rmap_done({"--version"}).out, testing::MatchesRegex("rmap [0-9]+\\.[0-9]+\\.[0-9]+\n"));
+  EXPECT_THAT(rmap_done({"--version"}).out,
+              testing::MatchesRegex("rmap [0-9]+\\.[0-9]+\\.[0-9]+\n"));
 }
 
 }  // namespace

@@ -1,9 +1,9 @@
+#include "command/command.hpp"
+#include "support/random.hpp"
+
 #include <gmock/gmock.h>
 
 #include <rmap/map_file.hpp>
-
-#include "command/command.hpp"
-#include "support/random.hpp"
 
 namespace rmap::test {
 
@@ -31,9 +31,9 @@ TEST_F(Merge, AddsMapsAsTheLibraryDoes) {
 TEST_F(Merge, RefusesMapsThatDoNotFit) {
   save(Grid({.resolution = 0.2}), folder() / "a.rmap");
   save(Grid({.resolution = 0.1}), folder() / "b.rmap");
-  EXPECT_THAT(rmap_refused(1, {"merge", "a.rmap", "b.rmap", "-o", "sum.rmap"}),
-              testing::AllOf(testing::HasSubstr("a.rmap and b.rmap"),
-                             testing::HasSubstr("resolution")));
+  EXPECT_THAT(
+      rmap_refused(1, {"merge", "a.rmap", "b.rmap", "-o", "sum.rmap"}),
+      testing::AllOf(testing::HasSubstr("a.rmap and b.rmap"), testing::HasSubstr("resolution")));
   EXPECT_THAT(rmap_refused(2, {"merge", "a.rmap", "-o", "sum.rmap"}),
               testing::HasSubstr("two or more"));
   EXPECT_FALSE(std::filesystem::exists(folder() / "sum.rmap"));

@@ -1,6 +1,6 @@
-#include <gmock/gmock.h>
-
 #include "command/command.hpp"
+
+#include <gmock/gmock.h>
 
 namespace rmap::test {
 

@@ -1,10 +1,10 @@
+#include "command/command.hpp"
+
 #include <gmock/gmock.h>
 
 #include <rmap/scan_files.hpp>
 #include <rmap/scan_source.hpp>
 #include <rmap/simulation.hpp>
-
-#include "command/command.hpp"
 
 namespace rmap::test {
 
@@ -16,12 +16,11 @@ using Simulate = CommandTest;
 TEST_F(Simulate, WritesTheScansOfTheLibrary) {
   rmap_done({"simulate", "moving", "--scans", "3", "--sensor", "lidar16", "--noise", "0.02",
              "--dropped", "0.1", "--seed", "18446744073709551615", "-o", "yard"});
-  const Simulation simulation =
-      make_simulation("moving", {.scans = 3,
-                                 .sensor = make_sensor("lidar16"),
-                                 .noise = 0.02,
-                                 .dropped = 0.1,
-                                 .seed = 18446744073709551615U});
+  const Simulation simulation = make_simulation("moving", {.scans = 3,
+                                                           .sensor = make_sensor("lidar16"),
+                                                           .noise = 0.02,
+                                                           .dropped = 0.1,
+                                                           .seed = 18446744073709551615U});
   std::size_t index = 0;
   for (const Scan& scan : read_scans(folder() / "yard")) {
     const Scan expected = simulation.scan(index++);
@@ -36,21 +35,21 @@ TEST_F(Simulate, SameSeedSameBytes) {
     rmap_done({"simulate", "noisy_room", "--scans", "2", "--sensor", "lidar16", "--seed", "5", "-o",
                name});
   }
-  rmap_done({"simulate", "noisy_room", "--scans", "2", "--sensor", "lidar16", "--seed", "6", "-o",
-             "c"});
+  rmap_done(
+      {"simulate", "noisy_room", "--scans", "2", "--sensor", "lidar16", "--seed", "6", "-o", "c"});
   const auto files = listing("a");
-  EXPECT_THAT(files, testing::ElementsAre("000000.bin", "000001.bin", "poses.txt", "truth",
-                                          "truth.json"));
-  for (const std::string file : {"000000.bin", "000001.bin", "poses.txt", "truth.json",
-                                 "truth/surface.pcd"}) {
+  EXPECT_THAT(files,
+              testing::ElementsAre("000000.bin", "000001.bin", "poses.txt", "truth", "truth.json"));
+  for (const std::string file :
+       {"000000.bin", "000001.bin", "poses.txt", "truth.json", "truth/surface.pcd"}) {
     EXPECT_EQ(bytes("a/" + file), bytes("b/" + file)) << file;
   }
   EXPECT_NE(bytes("a/000000.bin"), bytes("c/000000.bin"));
 }
 
 TEST_F(Simulate, WritesTheTruthExactly) {
-  rmap_done({"simulate", "moving", "--scans", "2", "--format", "pcd", "--spacing", "0.3", "-o",
-             "yard"});
+  rmap_done(
+      {"simulate", "moving", "--scans", "2", "--format", "pcd", "--spacing", "0.3", "-o", "yard"});
   EXPECT_THAT(listing("yard"), testing::Contains("000001.pcd"));
   const auto truth = nlohmann::json::parse(bytes("yard/truth.json"));
   const Simulation simulation = make_simulation("moving", {.scans = 2});

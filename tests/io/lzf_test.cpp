@@ -3,6 +3,7 @@
 #include "support/random.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <cstring>
 #include <map>
@@ -33,14 +34,13 @@ Bytes compress(const Bytes& input) {
     output.insert(output.end(), literals.begin(), literals.end());
     literals.clear();
   };
-  std::map<std::vector<std::byte>, std::size_t> last;
+  std::map<std::array<std::byte, 3>, std::size_t> last;
   std::size_t at = 0;
   while (at < input.size()) {
     std::size_t length = 0;
     std::size_t distance = 0;
     if (at + 3 <= input.size()) {
-      const Bytes key(input.begin() + static_cast<std::ptrdiff_t>(at),
-                      input.begin() + static_cast<std::ptrdiff_t>(at + 3));
+      const std::array key{input[at], input[at + 1], input[at + 2]};
       const auto found = last.find(key);
       if (found != last.end() && at - found->second <= 8192) {
         distance = at - found->second;

@@ -21,7 +21,7 @@ constexpr std::size_t kPosesPerChunk = 32768;
 
 template <class T>
 T number_at(const std::string& bytes, std::size_t offset) {
-  T number;
+  T number{};
   bytes.copy(reinterpret_cast<char*>(&number), sizeof(T), offset);
   return number;
 }

@@ -107,7 +107,7 @@ TEST(Text, lines_end_with_either_end_or_none) {
 TEST(Text, quotes_what_cannot_be_printed) {
   EXPECT_EQ(in_quotes("x y"), "\"x y\"");
   EXPECT_EQ(in_quotes(std::string_view("\0\n\xff", 3)), "\"\\x00\\x0a\\xff\"");
-  EXPECT_EQ(in_quotes(std::string(41, 'a')), "\"" + std::string(40, 'a') + "...\"");
+  EXPECT_EQ(in_quotes(std::string(41, 'a')), fmt::format("\"{:a<40}...\"", ""));
 }
 
 }  // namespace

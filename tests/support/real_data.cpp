@@ -24,15 +24,4 @@ std::filesystem::path sequence_folder(const std::string& name) {
   return std::filesystem::is_directory(folder) ? folder : std::filesystem::path();
 }
 
-Scan thinned(const Scan& scan, std::size_t stride) {
-  Scan thin = scan;
-  thin.points.clear();
-  thin.origins.clear();
-  for (std::size_t i = 0; i < scan.points.size(); i += stride) {
-    thin.points.push_back(scan.points[i]);
-    if (!scan.origins.empty()) thin.origins.push_back(scan.origins[i]);
-  }
-  return thin;
-}
-
 }  // namespace rmap::test

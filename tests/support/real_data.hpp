@@ -4,8 +4,6 @@
 #include <string>
 #include <vector>
 
-#include <rmap/scan.hpp>
-
 namespace rmap::test {
 
 /// The folder with real scans: the environment variable RMAP_DATA, or the place
@@ -17,8 +15,5 @@ const std::vector<std::string>& sequence_names();
 
 /// The folder of a sequence; empty when it is missing, and the test should skip.
 std::filesystem::path sequence_folder(const std::string& name);
-
-/// Every `stride`-th point of a scan.
-Scan thinned(const Scan& scan, std::size_t stride);
 
 }  // namespace rmap::test

@@ -49,6 +49,17 @@ Scan shuffled(const Scan& scan, Random& random) {
   return mixed;
 }
 
+Scan thinned(const Scan& scan, std::size_t stride) {
+  Scan thin = scan;
+  thin.points.clear();
+  thin.origins.clear();
+  for (std::size_t i = 0; i < scan.points.size(); i += stride) {
+    thin.points.push_back(scan.points[i]);
+    if (!scan.origins.empty()) thin.origins.push_back(scan.origins[i]);
+  }
+  return thin;
+}
+
 Scan map_scan(const Vector3d& origin, std::vector<Vector3f> points) {
   Scan scan{.frame = Frame::map, .points = std::move(points)};
   scan.map_from_sensor.translation() = origin;

@@ -21,6 +21,9 @@ Scan nasty_scan(BeamKind kind, Random& random, std::size_t points, double reach_
 /// The same scan with its points in another order.
 Scan shuffled(const Scan& scan, Random& random);
 
+/// Every `stride`-th point of a scan.
+Scan thinned(const Scan& scan, std::size_t stride);
+
 /// One scan in the map's frame.
 Scan map_scan(const Vector3d& origin, std::vector<Vector3f> points);
 
