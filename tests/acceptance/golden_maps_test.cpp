@@ -18,8 +18,8 @@ struct Golden {
 class GoldenMaps : public testing::TestWithParam<Golden> {};
 
 INSTANTIATE_TEST_SUITE_P(Scenes, GoldenMaps,
-                         testing::Values(Golden{"room", 4, 0}, Golden{"stairs", 4, 0},
-                                         Golden{"street", 3, 0}, Golden{"moving", 6, 0}),
+                         testing::Values(Golden{"room", 4, 6839451523328740863u}, Golden{"stairs", 4, 15631339054859786572u},
+                                         Golden{"street", 3, 15227087611214318337u}, Golden{"moving", 6, 3226270312738833926u}),
                          [](const auto& golden) { return std::string(golden.param.scene); });
 
 TEST_P(GoldenMaps, HaveTheirHashInEveryLayoutAndWithAnyThreads) {

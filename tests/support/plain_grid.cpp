@@ -23,6 +23,17 @@ int step(double probability, double prior) {
       std::lround(1000 * (std::log(probability / (1 - probability)) - std::log(prior / (1 - prior)))));
 }
 
+// The cells about a beam: none beyond can be crossed.
+CellBox surroundings(const PlainBeam& beam) {
+  CellBox box;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const auto i = static_cast<int>(axis);
+    box.min[i] = static_cast<int>(std::floor(std::fmin(beam.origin[axis], beam.end[axis]))) - 1;
+    box.max[i] = static_cast<int>(std::floor(std::fmax(beam.origin[axis], beam.end[axis]))) + 2;
+  }
+  return box;
+}
+
 bool in_limits(double index) { return index >= -0x1p30 && index <= 0x1p30 - 1; }
 
 }  // namespace
@@ -161,10 +172,14 @@ InsertReport PlainGrid::insert(const Scan& scan) {
     sorted.report.new_cells += is_new ? 1 : 0;
     sorted.report.hits += place->second != before ? 1 : 0;
   }
+  std::vector<CellBox> boxes;
+  for (const PlainBeam& beam : sorted.beams) boxes.push_back(surroundings(beam));
   for (auto& [cell, value] : cells_) {
     if (sorted.ends.contains(cell)) continue;
-    const bool crossed = std::any_of(sorted.beams.begin(), sorted.beams.end(),
-                                     [&](const PlainBeam& beam) { return plain_crosses(beam, cell); });
+    bool crossed = false;
+    for (std::size_t i = 0; i < boxes.size() && !crossed; ++i) {
+      crossed = boxes[i].contains(cell) && plain_crosses(sorted.beams[i], cell);
+    }
     if (!crossed) continue;
     const int before = value;
     value = moved(before, options_.prob_miss);
