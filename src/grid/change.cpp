@@ -112,7 +112,13 @@ void Grid::set_block(const Cell& origin, const CellMask& cells, std::span<const 
 }
 
 void Grid::restore(History history, std::vector<Pose> scan_poses) {
-  for (const Pose& pose : scan_poses) check_pose(pose);
+  for (std::size_t i = 0; i < scan_poses.size(); ++i) {
+    try {
+      check_pose(scan_poses[i]);
+    } catch (const Error& error) {
+      throw Error(error.kind(), fmt::format("the pose of scan {} is none: {}", i, error.what()));
+    }
+  }
   implementation_->begin_mutation();
   implementation_->history = history;
   implementation_->scan_poses = std::move(scan_poses);

@@ -4,9 +4,6 @@
 
 #include <algorithm>
 
-#include <fmt/format.h>
-
-#include <rmap/error.hpp>
 #include <rmap/map_file.hpp>
 
 namespace rmap {
@@ -38,18 +35,6 @@ void for_each_block(std::span<const Leaf> leaves, Use&& use) {
     const auto count = static_cast<std::size_t>(next - leaves.begin());
     use(origin, leaves.first(count));
     leaves = leaves.subspan(count);
-  }
-}
-
-void require_poses(std::span<const Pose> poses, const std::filesystem::path& file) {
-  for (std::size_t i = 0; i < poses.size(); ++i) {
-    try {
-      check_pose(poses[i]);
-    } catch (const Error& error) {
-      throw Error(error.kind(), fmt::format("the map cannot be written to {}: the pose of scan {} "
-                                            "is none: {}",
-                                            file.string(), i, error.what()));
-    }
   }
 }
 
@@ -86,7 +71,6 @@ void write_blocks(RmapWriter& writer, std::span<const Leaf> leaves) {
 }  // namespace
 
 void save(const Grid& grid, const std::filesystem::path& file) {
-  require_poses(grid.scan_poses(), file);
   const std::vector<Leaf> leaves = sorted_leaves(grid);
   std::uint64_t blocks = 0;
   for_each_block(leaves, [&](const Cell&, std::span<const Leaf>) { ++blocks; });

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <set>
 
@@ -281,6 +282,23 @@ TEST_P(ChangeInLayout, APreparedCellIsAnExistingCellOfThePrior) {
   EXPECT_EQ(grid.cell_probability(cell), 0.5);
   EXPECT_EQ(grid.insert(test::map_scan({0.1, 0.1, 0.1}, {{5.1f, 0.1f, 0.1f}})).misses, 1u);
   EXPECT_EQ(grid.cell_value(cell), grid.rule().miss(grid.rule().prior()));
+}
+
+TEST_P(ChangeInLayout, RestoringRefusesAPoseThatIsNone) {
+  Grid grid(options());
+  grid.restore(History::complete, {Pose::Identity()});
+  Pose bad = Pose::Identity();
+  bad.translation().x() = std::numeric_limits<double>::quiet_NaN();
+  try {
+    grid.restore(History::first_hit, {Pose::Identity(), bad});
+    ADD_FAILURE() << "no error";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.kind(), ErrorKind::input);
+    EXPECT_STREQ(error.what(),
+                 "the pose of scan 1 is none: the pose holds a number that is not finite");
+  }
+  EXPECT_EQ(grid.history(), History::complete);
+  EXPECT_EQ(grid.scan_poses().size(), 1u);
 }
 
 TEST_P(ChangeInLayout, BytesInUseFollowTheCells) {

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <csignal>
 #include <functional>
-#include <limits>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -247,19 +246,6 @@ TEST_F(MapFile, refuses_options_of_memory_that_do_not_fit) {
   save(test::small_map(), file_);
   EXPECT_THROW(load(file_, {.max_branches = 3}), Error);
   EXPECT_THROW(load(file_, {.threads = -1}), Error);
-}
-
-TEST_F(MapFile, is_not_written_with_a_pose_that_is_none) {
-  test::write_text(file_, "old");
-  Grid grid({.resolution = 0.1});
-  Pose pose = Pose::Identity();
-  pose.translation().x() = std::numeric_limits<double>::quiet_NaN();
-  grid.restore(History::first_hit, {Pose::Identity(), pose});
-  expect_error(ErrorKind::input,
-               "the map cannot be written to " + file_.string() +
-                   ": the pose of scan 1 is none: the pose holds a number that is not finite",
-               [&] { save(grid, file_); });
-  EXPECT_EQ(read_text(file_), "old");
 }
 
 TEST_F(MapFile, takes_the_room_that_bounds_the_memory_for_it) {
