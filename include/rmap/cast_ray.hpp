@@ -22,7 +22,8 @@ struct RayHit {
 /// and the ray is cut at `max_range`. An infinite range ends at the map's bounds.
 ///
 /// `origin`: metres, map's frame; `direction`: of any length but zero. A ray
-/// that starts in an occupied cell hits it at distance 0, face none.
+/// whose origin lies in an occupied cell (floor) hits it at distance 0, face none,
+/// whatever its direction and range.
 /// Throws Error(input) for a direction of length zero or not finite or a range
 /// that is negative or NaN, Error(limit) for an origin beyond the limits.
 /// Cost: by the leaves along the ray up to the hit.

@@ -91,6 +91,9 @@ class Grid {
   bool empty() const { return cell_count() == 0; }
   /// Smallest box that holds every existing cell; empty when there is none. Cost: by leaves.
   CellBox bounds() const;
+  /// Smallest box of whole blocks (8 x 8 x 8 cells, in both layouts) that holds every existing
+  /// cell; empty when there is none. Cost: constant.
+  CellBox block_bounds() const;
   BytesInUse bytes_in_use() const;
   RTreeStatistics rtree_statistics() const;
   std::size_t leaf_count() const;

@@ -92,6 +92,12 @@ CellBox Grid::bounds() const {
   return bounds;
 }
 
+CellBox Grid::block_bounds() const {
+  const CellBox leaves = implementation_->store->leaf_bounds();
+  return {.min = block_origin(leaves.min),
+          .max = block_origin(leaves.max + Cell::Constant(kBlockEdge - 1))};
+}
+
 BytesInUse Grid::bytes_in_use() const {
   BytesInUse bytes = implementation_->store->bytes_in_use();
   bytes.records =

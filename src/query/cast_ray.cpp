@@ -11,7 +11,7 @@ namespace rmap {
 
 namespace {
 
-// The ray as a beam that ends at its range, or just beyond all cells of the map.
+// The ray as a beam that ends at its range, or just beyond all blocks of the map.
 struct Ray {
   Vector3d along;  // of length 1
   double length;   // metres
@@ -29,9 +29,8 @@ Ray checked_ray(const Grid& grid, const Vector3d& origin, const Vector3d& direct
     throw Error(ErrorKind::input,
                 fmt::format("the range of the ray is {} m: it must not be negative", max_range));
   }
-  static_cast<void>(grid.lattice().cell_of(origin));  // throws beyond the limits
   const Vector3d scaled = direction / scale;
-  const Box bounds = grid.lattice().metric(grid.bounds());
+  const Box bounds = grid.lattice().metric(grid.block_bounds());
   const Vector3d farthest =
       (bounds.min - origin).cwiseAbs().cwiseMax((bounds.max - origin).cwiseAbs());
   const double reach = farthest.norm() + grid.options().resolution;
@@ -40,7 +39,6 @@ Ray checked_ray(const Grid& grid, const Vector3d& origin, const Vector3d& direct
 
 // The side through which the beam enters `cell` at parameter `enter`.
 Face entry_face(const Beam& beam, const Cell& cell, double enter) {
-  if (cell == beam.origin_cell()) return Face::none;
   for (int axis = 0; axis < 3; ++axis) {
     const double direction = beam.direction()[axis];
     if (direction == 0) continue;
@@ -58,6 +56,10 @@ std::optional<RayHit> cast_ray(const Grid& grid, const Vector3d& origin, const V
                                double max_range) {
   const Ray ray = checked_ray(grid, origin, direction, max_range);
   const Lattice& lattice = grid.lattice();
+  // Also when the origin lies on a face through which the beam leaves without crossing the cell.
+  if (const Cell start = lattice.cell_of(origin); grid.cell_state(start) == State::occupied) {
+    return RayHit{.cell = start, .point = origin, .face = Face::none, .distance = 0};
+  }
   const Beam beam(lattice.to_cells(origin), lattice.to_cells(origin + ray.along * ray.length),
                   /*cut=*/true);
 

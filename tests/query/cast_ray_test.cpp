@@ -18,9 +18,10 @@ using test::Random;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-// The plain twin: walks from cell to cell and asks each one.
+// The plain twin: asks the cell of the origin, then walks from cell to cell and asks each one.
 std::optional<Cell> walked_hit(const Grid& grid, const Vector3d& origin, const Vector3d& end) {
   const Lattice& lattice = grid.lattice();
+  if (grid.state(origin) == State::occupied) return lattice.cell_of(origin);
   const Beam beam(lattice.to_cells(origin), lattice.to_cells(end), true);
   for (BeamWalk walk(beam, all_cells()); walk.more(); walk.advance()) {
     if (grid.cell_state(walk.cell()) == State::occupied) return walk.cell();
@@ -52,8 +53,9 @@ TEST_P(CastRayInLayout, FindsTheFirstOccupiedCellOfTheWalk) {
           walked_hit(grid, origin, origin + scaled / scaled.norm() * range);
       // The range must end the ray before the map's bounds do, to be the same beam.
       const auto hit = cast_ray(grid, origin, along, range);
-      const Box bounds = grid.lattice().metric(grid.bounds());
-      const double reach = (bounds.min - origin).cwiseAbs().cwiseMax((bounds.max - origin).cwiseAbs()).norm();
+      const Box bounds = grid.lattice().metric(grid.block_bounds());
+      const double reach =
+          (bounds.min - origin).cwiseAbs().cwiseMax((bounds.max - origin).cwiseAbs()).norm();
       if (reach < range) continue;
       ASSERT_EQ(hit.has_value(), expected.has_value())
           << origin.transpose() << " along " << along.transpose();
@@ -104,6 +106,60 @@ TEST_P(CastRayInLayout, NamesPlaceFaceAndDistance) {
   EXPECT_EQ(inside->face, Face::none);
   EXPECT_EQ(inside->distance, 0);
   EXPECT_EQ(inside->point, Vector3d(5.25, 0.25, 0.25));
+}
+
+// The cell of a point is that of its floor, whichever way a ray leaves it.
+TEST_P(CastRayInLayout, StartsInTheCellOfItsOrigin) {
+  Grid grid({.resolution = 0.5, .layout = GetParam()});
+  grid.set({10, 0, 0}, 0.9);
+  const Vector3d corner(5, 0, 0);
+  int rays = 0;
+  for (const double x : {-1.0, 0.0, 1.0}) {
+    for (const double y : {-1.0, 0.0, 1.0}) {
+      for (const double z : {-1.0, 0.0, 1.0}) {
+        const Vector3d direction(x, y, z);
+        if (direction.isZero(0)) continue;
+        for (const double range : {0.0, 0.25, kInfinity}) {
+          const auto hit = cast_ray(grid, corner, direction, range);
+          ASSERT_TRUE(hit) << direction.transpose();
+          EXPECT_EQ(hit->cell, Cell(10, 0, 0));
+          EXPECT_EQ(hit->distance, 0);
+          EXPECT_EQ(hit->face, Face::none);
+          EXPECT_EQ(hit->point, corner);
+          ++rays;
+        }
+      }
+    }
+  }
+  EXPECT_EQ(rays, 78);
+  // The upper face belongs to the next cell: from there the ray enters through it.
+  const auto back = cast_ray(grid, {5.5, 0.25, 0.25}, {-1, 0, 0}, 1);
+  ASSERT_TRUE(back);
+  EXPECT_EQ(back->distance, 0);
+  EXPECT_EQ(back->face, Face::max_x);
+}
+
+TEST(CastRay, IsTheSameInBothLayouts) {
+  Random random(84);
+  SCOPED_TRACE(random.trace());
+  const Grid blocks = test::clustered_grid(random, {.resolution = 0.3}, 10);
+  Grid cells({.resolution = 0.3, .layout = Layout::cells});
+  cells.merge(blocks);
+  int hits = 0;
+  for (int i = 0; i < 1000; ++i) {
+    const Vector3d origin = random.point(-5, 5);
+    const Vector3d direction = random.direction();
+    const auto one = cast_ray(blocks, origin, direction, kInfinity);
+    const auto other = cast_ray(cells, origin, direction, kInfinity);
+    ASSERT_EQ(one.has_value(), other.has_value());
+    if (!one) continue;
+    ++hits;
+    ASSERT_EQ(one->cell, other->cell);
+    ASSERT_EQ(one->distance, other->distance);
+    ASSERT_EQ(one->point, other->point);
+    ASSERT_EQ(one->face, other->face);
+  }
+  EXPECT_GT(hits, 100);
 }
 
 TEST_P(CastRayInLayout, IsCutAtItsRange) {
