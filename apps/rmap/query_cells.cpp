@@ -61,11 +61,14 @@ void print_single_cells(const Grid& grid, const CellsArguments& arguments) {
 void print_multiresolution(const Grid& grid, const CellsArguments& arguments) {
   const double growth = arguments.growth.value_or(kGrowth);
   const double fine = arguments.fine.value_or(0);
-  const auto edge_at = [&](const Vector3d& point) {
-    return growth * std::max(0.0, (point - *arguments.center).norm() - fine);
+  const Vector3d& center = *arguments.center;
+  const auto edge_in = [&](const Box& place) {
+    const double distance = (place.nearest(center) - center).norm();
+    // Also for an endless growth the cell at the centre stays single.
+    return distance > fine ? growth * (distance - fine) : 0;
   };
   const double threshold = grid.options().occupied_threshold;
-  for (const QueryCuboid& cuboid : cells_at(grid, edge_at)) {
+  for (const QueryCuboid& cuboid : cells_at(grid, edge_in)) {
     const double probability = arguments.criterion == Criterion::mean ? cuboid.mean : cuboid.max;
     const State state = probability > threshold ? State::occupied : State::free;
     if (arguments.occupied_only && state != State::occupied) continue;
@@ -110,7 +113,8 @@ void add_cells_query(CLI::App& query, const std::shared_ptr<QueryArguments>& sha
        .text = {"Existing cells with centre, edge (size), probability and state, along the Morton "
                 "curve. With --box and --sphere both must hold.",
                 "With --center the cells of the whole map are gathered into cubes of 1, 2, 4, ... "
-                "cells: as large as --growth times the distance from the centre allows. 0.05 shows "
+                "cells: the edge of a cube is at most --growth times the distance of its nearest "
+                "point from the centre, so that the cells at the centre stay single. 0.05 shows "
                 "the world as fine as a twentieth of the distance. Cubes without a cell are left "
                 "out; they are free by assumption."},
        .examples = {"rmap query street.rmap cells --sphere 0,0,1,5 --occupied",

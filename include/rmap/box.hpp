@@ -17,6 +17,8 @@ struct Box {
   bool contains(const Vector3d& point) const {
     return (point.array() >= min.array()).all() && (point.array() < max.array()).all();
   }
+  /// The point of the box, its borders included, that is nearest to `point`.
+  Vector3d nearest(const Vector3d& point) const { return point.cwiseMax(min).cwiseMin(max); }
 };
 
 }  // namespace rmap

@@ -33,10 +33,11 @@ void Grid::merge(const Grid& other) {
       CellMask one;
       one.set(grid.store->position_of(cell));
       const Cell origin = grid.store->origin_of(cell);
-      const auto [id, created] = grid.store->ensure(origin, one, value);
-      grid.cell_count += created.count();
-      grid.update(id, origin, one, created, [&](const Cell&, Value ours) {
-        return created.none() ? grid.rule.clamped(ours + value - grid.rule.prior()) : value;
+      const LeafStore::Ensured leaf = grid.store->ensure(origin, one, value);
+      const bool is_new = !leaf.created.none();
+      grid.cell_count += leaf.created.count();
+      grid.update(leaf.id, origin, one, leaf.created, [&](const Cell&, Value ours) {
+        return is_new ? value : grid.rule.clamped(ours + value - grid.rule.prior());
       });
     });
     return true;
@@ -44,11 +45,12 @@ void Grid::merge(const Grid& other) {
 
   const auto poses = other.scan_poses();
   grid.scan_poses.insert(grid.scan_poses.end(), poses.begin(), poses.end());
-  // Neither map's scans have seen the cells of the other.
   if (was_blank) {
     grid.history = other.history();
   } else if (adds_scans || other.cell_count() > 0) {
-    grid.history = grid.scan_poses.empty() ? History::complete : History::first_hit;
+    // Neither map's scans have seen the cells of the other.
+    const bool seen = grid.scan_poses.empty() && other.history() == History::complete;
+    if (!seen) grid.history = History::first_hit;
   }
 }
 

@@ -13,8 +13,7 @@ namespace {
 
 // Whether a box (m) comes nearer to the centre of the sphere than its radius.
 bool reaches(const Sphere& sphere, const Box& box) {
-  const Vector3d nearest = sphere.center.cwiseMax(box.min).cwiseMin(box.max);
-  return (nearest - sphere.center).squaredNorm() < sphere.radius * sphere.radius;
+  return (box.nearest(sphere.center) - sphere.center).squaredNorm() < sphere.radius * sphere.radius;
 }
 
 void check_sphere(const Sphere& sphere) {

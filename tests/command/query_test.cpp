@@ -2,6 +2,7 @@
 #include "support/random.hpp"
 
 #include <array>
+#include <cmath>
 #include <set>
 
 #include <fmt/format.h>
@@ -141,13 +142,14 @@ TEST_F(Query, CellsOfARegion) {
 }
 
 TEST_F(Query, CellsNearFineAndFarCoarse) {
-  const auto edge_at = [](const Vector3d& point) {
-    return 0.5 * std::max(0.0, (point - Vector3d(1, 0, 0)).norm() - 1.5);
+  const auto edge_in = [](const Box& place) {
+    const Vector3d center(1, 0, 0);
+    return 0.5 * std::max(0.0, (place.nearest(center) - center).norm() - 1.5);
   };
   for (const Criterion criterion : {Criterion::mean, Criterion::max}) {
     const auto answers = query({"cells", "--center", "1,0,0", "--growth", "0.5", "--fine", "1.5",
                                 "--criterion", criterion == Criterion::mean ? "mean" : "max"});
-    const auto expected = cells_at(grid_, edge_at);
+    const auto expected = cells_at(grid_, edge_in);
     ASSERT_EQ(answers.size(), expected.size());
     std::set<double> sizes;
     for (std::size_t i = 0; i < expected.size(); ++i) {
@@ -160,6 +162,25 @@ TEST_F(Query, CellsNearFineAndFarCoarse) {
     }
     EXPECT_GE(sizes.size(), 3u);
     EXPECT_EQ(*sizes.begin(), 0.25);
+  }
+}
+
+// However fast cubes may grow, the cells at the centre stay single.
+TEST_F(Query, CellsAtTheCentreAreFineForEveryGrowth) {
+  grid_.set({4, 0, 0}, 0.9);  // holds the centre
+  save(grid_, folder() / "map.rmap");
+  for (const char* growth : {"0.05", "1.2", "3", "inf"}) {
+    double at_center = 0;
+    for (const auto& answer : query({"cells", "--center", "1.1,0.1,0.1", "--growth", growth})) {
+      const double size = answer["size"];
+      bool holds = true;
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        const double offset = (axis == 0 ? 1.1 : 0.1) - answer["center"][axis].get<double>();
+        holds = holds && std::abs(offset) <= size / 2;
+      }
+      if (holds) at_center = size;
+    }
+    EXPECT_EQ(at_center, 0.25) << growth;
   }
 }
 

@@ -83,6 +83,23 @@ TEST(Merge, WithItselfDoublesTheEvidence) {
   EXPECT_EQ(grid.cell_value({1, 0, 0}), value_of(0.971));
 }
 
+TEST(Merge, IsCompleteOnlyWithoutScansAndOfCompleteMaps) {
+  for (const History a : {History::complete, History::first_hit}) {
+    for (const History b : {History::complete, History::first_hit}) {
+      Grid grid({.resolution = 1});
+      Grid other({.resolution = 1});
+      grid.set({0, 0, 0}, 0.9);
+      other.set({1, 0, 0}, 0.9);
+      grid.restore(a, {});
+      other.restore(b, {});
+      grid.merge(other);
+      EXPECT_EQ(grid.history(), a == History::complete && b == History::complete
+                                    ? History::complete
+                                    : History::first_hit);
+    }
+  }
+}
+
 TEST(Merge, RefusesMapsOfAnotherMeaning) {
   Grid grid({.resolution = 0.1});
   const auto refusal = [&](const Options& options) -> std::string {
