@@ -13,6 +13,9 @@ using Value = std::int16_t;
 Value value_of(double probability);
 /// Probability of a value: 1 / (1 + exp(-value / 1000)).
 double probability_of(Value value);
+/// How far an observation of `probability` moves a value: logit(probability) - logit(prior),
+/// rounded to the nearest step.
+std::int32_t step_of(double probability, double prior);
 
 /// How hits and misses move a value [RMAP 2.2, Moravec and Elfes 1985]: value +
 /// step, then clamp. Integers, converted once from the options, so that every

@@ -33,6 +33,15 @@ void require_below(const char* low_name, double low, const char* high_name, doub
   }
 }
 
+// An observation that moves no value would be lost.
+void require_step(const char* name, double probability, double prior) {
+  if (step_of(probability, prior) == 0) {
+    refuse(fmt::format("{} is {} and prior is {}: the difference of their log-odds is 0 when rounded "
+                       "to 1/1000",
+                       name, probability, prior));
+  }
+}
+
 // Beyond it the range of 16 bits would cut the log-odds off.
 void require_representable(const char* name, double probability) {
   constexpr double kLargest = 32.767;
@@ -54,6 +63,8 @@ void check_probabilities(const Options& options) {
   require_below("prior", options.prior, "clamp_max", options.clamp_max);
   require_below("prob_miss", options.prob_miss, "prior", options.prior);
   require_below("prior", options.prior, "prob_hit", options.prob_hit);
+  require_step("prob_hit", options.prob_hit, options.prior);
+  require_step("prob_miss", options.prob_miss, options.prior);
   if (!(options.prior <= options.occupied_threshold)) {
     refuse(fmt::format("occupied_threshold is {} and prior is {}: a cell of which nothing is known "
                        "must not be occupied, so the threshold must not be below the prior",

@@ -25,18 +25,19 @@ Value value_of(double probability) {
 
 double probability_of(Value value) { return 1 / (1 + std::exp(-value / kSteps)); }
 
+std::int32_t step_of(double probability, double prior) {
+  return static_cast<std::int32_t>(
+      std::round(kSteps * (log_odds(probability) - log_odds(prior))));
+}
+
 UpdateRule::UpdateRule(const Options& options) {
   check_options(options);
-  const auto step = [&](double probability) {
-    return static_cast<std::int32_t>(
-        std::round(kSteps * (log_odds(probability) - log_odds(options.prior))));
-  };
   prior_ = value_of(options.prior);
   threshold_ = value_of(options.occupied_threshold);
   min_ = value_of(options.clamp_min);
   max_ = value_of(options.clamp_max);
-  hit_step_ = step(options.prob_hit);
-  miss_step_ = step(options.prob_miss);
+  hit_step_ = step_of(options.prob_hit, options.prior);
+  miss_step_ = step_of(options.prob_miss, options.prior);
   freeze_ = options.saturation == Saturation::freeze;
 }
 

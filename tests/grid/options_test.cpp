@@ -65,6 +65,25 @@ TEST(CheckOptions, NamesTheFieldThatDoesNotFit) {
   EXPECT_EQ(refusal({.resolution = 0.1}), "accepted");
 }
 
+// Apart when each is rounded, but too near for a step.
+TEST(CheckOptions, RefusesObservationsThatMoveNothing) {
+  const auto probability = [](double log_odds) { return 1 / (1 + std::exp(-log_odds)); };
+  Options hit{.resolution = 0.1, .occupied_threshold = 0.6};
+  hit.prior = probability(0.00049);
+  hit.prob_hit = probability(0.00051);
+  EXPECT_THAT(refusal(hit),
+              testing::AllOf(testing::HasSubstr("prob_hit is 0.50012"),
+                             testing::HasSubstr("prior is 0.50012"),
+                             testing::HasSubstr("log-odds is 0 when rounded")));
+  Options miss{.resolution = 0.1, .occupied_threshold = 0.6};
+  miss.prior = probability(0.00051);
+  miss.prob_miss = probability(0.00049);
+  EXPECT_THAT(refusal(miss), testing::AllOf(testing::HasSubstr("prob_miss is 0.50012"),
+                                            testing::HasSubstr("log-odds is 0 when rounded")));
+  hit.prob_hit = probability(0.0015);
+  EXPECT_EQ(refusal(hit), "accepted");
+}
+
 TEST(UpdateRule, MovesValuesAsTheFormulaOfProbabilities) {
   const Options options{.resolution = 1, .prob_hit = 0.8, .prob_miss = 0.3, .clamp_min = 0.01,
                         .clamp_max = 0.99, .prior = 0.4};
