@@ -31,8 +31,8 @@ void add_verbs(CLI::App& app) {
                      "Lengths are metres, probabilities lie in 0 to 1.",
                      "Exit codes: 0 done; 1 the input or the request is wrong, which one "
                      "sentence on standard error explains; 2 the command line makes no sense; "
-                     "130 and 143 interrupted by SIGINT and SIGTERM. A file is written as a "
-                     "whole or not at all."},
+                     "129, 130 and 143 interrupted by SIGHUP, SIGINT and SIGTERM. A file is "
+                     "written as a whole or not at all."},
             .examples = {"rmap simulate street --scans 3 -o street",
                          "rmap build street -o street.rmap --resolution 0.1",
                          "rmap info street.rmap", "rmap query street.rmap point 4.2,0,1.1"}});

@@ -3,8 +3,8 @@
 namespace rmap::command {
 
 /// From here on a closed pipe and a file beyond the limit of sizes are errors of the
-/// write instead of the end of the process, and SIGINT or SIGTERM end the command at
-/// once with the exit code 128 + signal, unless a SignalHold lives. Signals that the
+/// write instead of the end of the process, and SIGHUP, SIGINT or SIGTERM end the
+/// command at once with the exit code 128 + signal, unless a SignalHold lives. Signals that the
 /// caller has switched off stay off.
 void install_signal_handlers();
 
@@ -18,7 +18,7 @@ struct Interrupted {
   int exit_code;
 };
 
-/// While one lives SIGINT and SIGTERM wait, so that files are completed or removed
+/// While one lives SIGHUP, SIGINT and SIGTERM wait, so that files are completed or removed
 /// first. Any number may be nested.
 class SignalHold {
  public:

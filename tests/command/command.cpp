@@ -62,7 +62,7 @@ void close_reader_of_output() {
   std::vector<char*> argv{const_cast<char*>("rmap")};
   for (const std::string& argument : arguments) argv.push_back(const_cast<char*>(argument.c_str()));
   argv.push_back(nullptr);
-  for (const int signal : {SIGINT, SIGTERM, SIGPIPE}) std::signal(signal, SIG_DFL);
+  for (const int signal : {SIGHUP, SIGINT, SIGTERM, SIGPIPE}) std::signal(signal, SIG_DFL);
   if (::chdir(folder.c_str()) == 0) ::execv(RMAP_COMMAND, argv.data());
   ::_exit(kCannotStart);
 }

@@ -13,6 +13,7 @@ namespace rmap::test {
 
 namespace {
 
+constexpr int kExitAfterSighup = 129;
 constexpr int kExitAfterSigint = 130;
 constexpr int kExitAfterSigterm = 143;
 
@@ -38,7 +39,8 @@ TEST_F(Interruption, OfABuildLeavesNoFile) {
   make_endless_folder("endless");
   const auto before = listing();
   for (const auto& [signal, exit_code] :
-       {std::pair(SIGINT, kExitAfterSigint), std::pair(SIGTERM, kExitAfterSigterm)}) {
+       {std::pair(SIGHUP, kExitAfterSighup), std::pair(SIGINT, kExitAfterSigint),
+        std::pair(SIGTERM, kExitAfterSigterm)}) {
     RunningCommand running(folder(),
                            {"build", "endless", "-o", "endless.rmap", "--resolution", "0.1"});
     ASSERT_TRUE(running.wait_for("preparing: "));
