@@ -5,7 +5,6 @@
 #include "map_options.hpp"
 #include "output.hpp"
 #include "progress.hpp"
-#include "scan_filter.hpp"
 #include "verbs.hpp"
 
 #include <chrono>
@@ -20,6 +19,7 @@
 #include <rmap/error.hpp>
 #include <rmap/grid.hpp>
 #include <rmap/map_file.hpp>
+#include <rmap/scan_filter.hpp>
 #include <rmap/scan_source.hpp>
 
 namespace rmap::command {

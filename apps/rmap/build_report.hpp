@@ -1,7 +1,6 @@
 #pragma once
 
 #include "json.hpp"
-#include "scan_filter.hpp"
 
 #include <filesystem>
 #include <optional>
@@ -9,6 +8,7 @@
 #include <vector>
 
 #include <rmap/grid.hpp>
+#include <rmap/scan_filter.hpp>
 
 namespace rmap::command {
 

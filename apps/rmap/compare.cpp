@@ -5,7 +5,6 @@
 #include "output.hpp"
 #include "verbs.hpp"
 
-#include <algorithm>
 #include <memory>
 #include <vector>
 
@@ -56,54 +55,6 @@ void print_difference(const Grid& a, const Grid& b, const MapDifference& differe
                   same                      ? "the same map"
                   : difference.same_cells() ? "equal cells; options, scans or history differ"
                                             : "different cells"));
-}
-
-// Where the points of a cloud lie in a map, and which cells have none.
-struct CloudComparison {
-  std::uint64_t points = 0;
-  std::uint64_t not_finite = 0;
-  std::uint64_t beyond_limits = 0;
-  std::uint64_t in_occupied = 0;
-  std::uint64_t in_free = 0;
-  std::uint64_t in_assumed_free = 0;
-  std::uint64_t cells_without_point = 0;
-  std::uint64_t occupied_without_point = 0;
-};
-
-CloudComparison compare_with_cloud(const Grid& grid, const std::vector<Vector3f>& points) {
-  CloudComparison result{.points = points.size()};
-  std::vector<Cell> existing;  // cells with a point, once for each
-  for (const Vector3f& point : points) {
-    if (!point.allFinite()) {
-      ++result.not_finite;
-      continue;
-    }
-    const auto cell = grid.lattice().find_cell(point.cast<double>());
-    if (!cell) {
-      ++result.beyond_limits;
-      continue;
-    }
-    switch (grid.cell_state(*cell)) {
-      case State::occupied:
-        ++result.in_occupied;
-        break;
-      case State::free:
-        ++result.in_free;
-        break;
-      case State::assumed_free:
-        ++result.in_assumed_free;
-        continue;
-    }
-    existing.push_back(*cell);
-  }
-  std::sort(existing.begin(), existing.end(), morton_less);
-  existing.erase(std::unique(existing.begin(), existing.end()), existing.end());
-  const auto occupied = std::count_if(existing.begin(), existing.end(), [&](const Cell& cell) {
-    return grid.cell_state(cell) == State::occupied;
-  });
-  result.cells_without_point = grid.cell_count() - existing.size();
-  result.occupied_without_point = occupied_cells(grid) - static_cast<std::size_t>(occupied);
-  return result;
 }
 
 void print_cloud_comparison(const Grid& grid, const CloudComparison& found, bool json) {

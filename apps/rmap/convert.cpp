@@ -17,6 +17,7 @@
 
 #include <rmap/cell_files.hpp>
 #include <rmap/cells.hpp>
+#include <rmap/crop.hpp>
 #include <rmap/error.hpp>
 #include <rmap/map_file.hpp>
 #include <rmap/multiresolution.hpp>
@@ -46,19 +47,6 @@ struct ConvertArguments {
 void refuse(const CLI::Option* option, const char* needed) {
   if (option->count() == 0) return;
   throw UsageError(fmt::format("{} has no effect here: {}", option->get_name(), needed));
-}
-
-// Removes all cells that do not overlap the box, by the six slabs around it.
-void crop(Grid& grid, const Box& box) {
-  const CellBox keep = grid.lattice().cells_of(box);
-  for (int axis = 0; axis < 3; ++axis) {
-    CellBox below = all_cells();
-    CellBox above = all_cells();
-    below.max[axis] = keep.min[axis];
-    above.min[axis] = keep.max[axis];
-    if (!below.empty()) grid.erase_cells(below);
-    if (!above.empty()) grid.erase_cells(above);
-  }
 }
 
 Grid wanted_map(const ConvertArguments& arguments) {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <span>
+
 #include <rmap/grid.hpp>
 
 namespace rmap {
@@ -21,5 +23,20 @@ struct MapDifference {
 
 /// Throws Error(input) when the resolutions differ.
 MapDifference compare(const Grid& a, const Grid& b);
+
+/// Where the points of a cloud lie in a map, and which cells have none.
+struct CloudComparison {
+  std::uint64_t points = 0;
+  std::uint64_t not_finite = 0;     ///< points that lie nowhere
+  std::uint64_t beyond_limits = 0;  ///< points beyond what a map can hold
+  std::uint64_t in_occupied = 0;    ///< points in cells of this state
+  std::uint64_t in_free = 0;
+  std::uint64_t in_assumed_free = 0;
+  std::uint64_t cells_without_point = 0;  ///< existing cells, occupied ones too
+  std::uint64_t occupied_without_point = 0;
+};
+
+/// `points`: metres, in the map's frame. Cost: sorting them.
+CloudComparison compare_with_cloud(const Grid& grid, std::span<const Vector3f> points);
 
 }  // namespace rmap

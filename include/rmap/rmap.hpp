@@ -11,6 +11,7 @@
 #include <rmap/cells.hpp>
 #include <rmap/changes.hpp>
 #include <rmap/compare.hpp>
+#include <rmap/crop.hpp>
 #include <rmap/error.hpp>
 #include <rmap/function_ref.hpp>
 #include <rmap/grid.hpp>
@@ -24,6 +25,7 @@
 #include <rmap/rtree.hpp>
 #include <rmap/scan.hpp>
 #include <rmap/scan_files.hpp>
+#include <rmap/scan_filter.hpp>
 #include <rmap/scan_source.hpp>
 #include <rmap/simulation.hpp>
 #include <rmap/value.hpp>

@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include <fmt/format.h>
 
+#include <rmap/cells.hpp>
 #include <rmap/error.hpp>
 
 namespace rmap {
@@ -46,6 +48,42 @@ MapDifference compare(const Grid& a, const Grid& b) {
     return true;
   });
   return difference;
+}
+
+CloudComparison compare_with_cloud(const Grid& grid, std::span<const Vector3f> points) {
+  CloudComparison result{.points = points.size()};
+  std::vector<Cell> existing;  // cells with a point, once for each
+  for (const Vector3f& point : points) {
+    if (!point.allFinite()) {
+      ++result.not_finite;
+      continue;
+    }
+    const auto cell = grid.lattice().find_cell(point.cast<double>());
+    if (!cell) {
+      ++result.beyond_limits;
+      continue;
+    }
+    switch (grid.cell_state(*cell)) {
+      case State::occupied:
+        ++result.in_occupied;
+        break;
+      case State::free:
+        ++result.in_free;
+        break;
+      case State::assumed_free:
+        ++result.in_assumed_free;
+        continue;
+    }
+    existing.push_back(*cell);
+  }
+  std::sort(existing.begin(), existing.end(), morton_less);
+  existing.erase(std::unique(existing.begin(), existing.end()), existing.end());
+  const auto occupied = std::count_if(existing.begin(), existing.end(), [&](const Cell& cell) {
+    return grid.cell_state(cell) == State::occupied;
+  });
+  result.cells_without_point = grid.cell_count() - existing.size();
+  result.occupied_without_point = count_cells(grid, {.occupied_only = true}) - static_cast<std::size_t>(occupied);
+  return result;
 }
 
 }  // namespace rmap

@@ -1,5 +1,9 @@
 #include <rmap/compare.hpp>
 
+#include <algorithm>
+#include <limits>
+#include <vector>
+
 #include <gtest/gtest.h>
 
 #include <rmap/error.hpp>
@@ -50,6 +54,44 @@ TEST(Compare, OfEqualMapsFindsNothing) {
   b.set({0, 0, 0}, 0.51);
   EXPECT_FALSE(compare(a, b).same_cells());
   EXPECT_NE(test::map_hash(a), test::map_hash(b));
+}
+
+TEST(CompareWithCloud, CountsWhereEachPointLies) {
+  test::Random random(86);
+  SCOPED_TRACE(random.trace());
+  for (const Layout layout : {Layout::blocks, Layout::cells}) {
+    const Grid grid = test::clustered_grid(random, {.resolution = 0.5, .layout = layout}, 8);
+    std::vector<Vector3f> points;
+    for (int i = 0; i < 3000; ++i) points.push_back(random.point(-6, 6).cast<float>());
+    CloudComparison expected{.points = 3002, .not_finite = 1, .beyond_limits = 1};
+    for (const Vector3f& point : points) {
+      const State state = grid.state(point.cast<double>());
+      ++(state == State::occupied ? expected.in_occupied
+         : state == State::free   ? expected.in_free
+                                  : expected.in_assumed_free);
+    }
+    for (const CellValue& entry : test::all_cell_values(grid)) {
+      const bool met = std::any_of(points.begin(), points.end(), [&](const Vector3f& point) {
+        return grid.lattice().cell_of(point.cast<double>()) == entry.cell;
+      });
+      if (met) continue;
+      ++expected.cells_without_point;
+      expected.occupied_without_point += grid.rule().occupied(entry.value) ? 1 : 0;
+    }
+    points.emplace_back(std::numeric_limits<float>::quiet_NaN(), 0, 0);
+    points.emplace_back(3e38F, 0, 0);
+    const CloudComparison found = compare_with_cloud(grid, points);
+    EXPECT_EQ(found.points, expected.points);
+    EXPECT_EQ(found.not_finite, expected.not_finite);
+    EXPECT_EQ(found.beyond_limits, expected.beyond_limits);
+    EXPECT_EQ(found.in_occupied, expected.in_occupied);
+    EXPECT_EQ(found.in_free, expected.in_free);
+    EXPECT_EQ(found.in_assumed_free, expected.in_assumed_free);
+    EXPECT_EQ(found.cells_without_point, expected.cells_without_point);
+    EXPECT_EQ(found.occupied_without_point, expected.occupied_without_point);
+    EXPECT_GT(found.in_occupied, 50u);
+    EXPECT_GT(found.occupied_without_point, 20u);
+  }
 }
 
 TEST(Compare, RefusesOtherResolutions) {

@@ -1,10 +1,8 @@
-#include "scan_filter.hpp"
+#include <rmap/scan_filter.hpp>
 
 #include <algorithm>
 
-#include <rmap/pose.hpp>
-
-namespace rmap::command {
+namespace rmap {
 
 void ScanFilter::apply(Scan& scan, Counts& counts) const {
   if (ignore.empty() && !crop) return;
@@ -42,4 +40,4 @@ void ScanFilter::apply(Scan& scan, Counts& counts) const {
   if (!scan.origins.empty()) scan.origins.resize(kept);
 }
 
-}  // namespace rmap::command
+}  // namespace rmap
