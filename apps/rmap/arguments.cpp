@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include <rmap/error.hpp>
+
 namespace rmap::command {
 
 namespace {
@@ -74,9 +76,7 @@ std::optional<double> parse_number(std::string_view text) {
   if (text.starts_with('+') && !text.starts_with("+-")) text.remove_prefix(1);
   double value = 0;
   const auto [end, code] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (code != std::errc() || end != text.data() + text.size() || std::isnan(value)) {
-    return std::nullopt;
-  }
+  if (code != std::errc() || end != text.data() + text.size()) return std::nullopt;
   return value;
 }
 
@@ -93,7 +93,7 @@ bool parse_numbers(std::string_view text, std::span<double> numbers) {
     std::size_t length = 0;
     while (length < text.size() && !is_separator(text[length])) ++length;
     const auto number = parse_number(text.substr(0, length));
-    if (!number) return false;
+    if (!number || std::isnan(*number)) return false;
     numbers[i] = *number;
     text.remove_prefix(length);
   }
@@ -113,6 +113,15 @@ Box box_argument(std::string_view name, std::string_view text) {
   return *box;
 }
 
+void require_volume(std::string_view name, const Box& box) {
+  for (int axis = 0; axis < 3; ++axis) {
+    if (box.min[axis] < box.max[axis]) continue;
+    throw Error(ErrorKind::input,
+                fmt::format("{} is an empty box: {} runs from {} to {} m, and must rise", name,
+                            "xyz"[axis], box.min[axis], box.max[axis]));
+  }
+}
+
 CLI::Option* add_number(CLI::App& app, const std::string& names, double& target,
                         const std::string& help) {
   return add_parsed(app, names, target, help, parse_number, "a number", "NUMBER");
@@ -129,10 +138,9 @@ CLI::Option* add_integer(CLI::App& app, const std::string& names, int& target,
     const auto value = parse_integer<int>(text);
     return value && *value >= least ? value : std::nullopt;
   };
-  const bool bounded = least != std::numeric_limits<int>::min();
-  return add_parsed(app, names, target, help, parse,
-                    bounded ? fmt::format("a whole number, at least {}", least) : "a whole number",
-                    "COUNT");
+  return add_parsed(
+      app, names, target, help, parse,
+      fmt::format("a whole number from {} to {}", least, std::numeric_limits<int>::max()), "COUNT");
 }
 
 CLI::Option* add_seed(CLI::App& app, const std::string& names, std::uint64_t& target,

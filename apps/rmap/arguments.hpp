@@ -26,11 +26,11 @@ class UsageError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// A whole number or a number with a point, in the C locale, all of `text`; `inf` is one,
-/// `nan` is none.
+/// A whole number or a number with a point, in the C locale, all of `text`; `inf` and `nan`
+/// are some.
 std::optional<double> parse_number(std::string_view text);
-/// Exactly `numbers.size()` numbers separated by commas or blanks. False when `text` is
-/// anything else.
+/// Exactly `numbers.size()` numbers separated by commas or blanks, none of them `nan`. False
+/// when `text` is anything else.
 bool parse_numbers(std::string_view text, std::span<double> numbers);
 
 /// Three numbers as a vector, six as a box; what they are for, in messages, is `name`.
@@ -38,8 +38,12 @@ bool parse_numbers(std::string_view text, std::span<double> numbers);
 Vector3d vector_argument(std::string_view name, std::string_view text);
 Box box_argument(std::string_view name, std::string_view text);
 
+/// Throws Error(input) naming the option, the axis and its borders when `box` is empty.
+void require_volume(std::string_view name, const Box& box);
+
 // Options of a verb: each writes what is given to `target`, which holds the default,
-// and refuses everything else as a usage error that names the option.
+// and refuses everything else as a usage error that names the option. Numbers may be
+// `nan`: who uses them says what is allowed.
 
 CLI::Option* add_number(CLI::App& app, const std::string& names, double& target,
                         const std::string& help);

@@ -85,6 +85,7 @@ void report(const ConvertArguments& arguments, std::uint64_t count, const char* 
 
 void convert_map(const ConvertArguments& arguments) {
   refuse(arguments.format_option, "it is for folders of scans");
+  if (arguments.crop) require_volume("--crop", *arguments.crop);
   if (ending_of(arguments.output) == ".rmap") {
     refuse(arguments.cells_option, "a map keeps all its cells, but those that --prune drops");
     check_map_output(arguments.output);
@@ -92,7 +93,7 @@ void convert_map(const ConvertArguments& arguments) {
     save_map(grid, arguments.output);
     report(arguments, grid.cell_count(), "cell");
   } else {
-    check_output_folder(arguments.output);
+    check_output_file(arguments.output);
     const Grid grid = wanted_map(arguments);
     report(arguments, write_cell_file(grid, arguments.cells, arguments.output), "cell");
   }
@@ -103,15 +104,17 @@ void convert_scans(const ConvertArguments& arguments) {
   const auto source = open_scans(arguments.input);
   StagedFolder folder(arguments.output);
   check_no_scans(arguments.output);
-  ScanFolderWriter writer(folder.staging(), fmt::format(".{}", word_of(arguments.format)));
-  Progress progress("converting", source->size());
   std::uint64_t scans = 0;
-  for (Scan scan; source->next(scan); ++scans) {
-    hold.check();
-    writer.add(scan);
-    progress.advance();
-  }
-  writer.finish();
+  folder.fill([&](const std::filesystem::path& staging) {
+    ScanFolderWriter writer(staging, fmt::format(".{}", word_of(arguments.format)));
+    Progress progress("converting", source->size());
+    for (Scan scan; source->next(scan); ++scans) {
+      hold.check();
+      writer.add(scan);
+      progress.advance();
+    }
+    writer.finish();
+  });
   hold.check();
   folder.publish("poses.txt");
   report(arguments, scans, "scan");
@@ -119,7 +122,7 @@ void convert_scans(const ConvertArguments& arguments) {
 
 void convert_cloud(const ConvertArguments& arguments) {
   refuse(arguments.format_option, "the ending of the output says the format");
-  check_output_folder(arguments.output);
+  check_output_file(arguments.output);
   const std::vector<Vector3f> points = read_points(arguments.input);
   const SignalHold hold;
   write_points(arguments.output, points);

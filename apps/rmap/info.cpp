@@ -9,7 +9,10 @@
 #include <memory>
 #include <vector>
 
+#include <fmt/format.h>
+
 #include <rmap/error.hpp>
+#include <rmap/scan_files.hpp>
 
 namespace rmap::command {
 
@@ -26,7 +29,13 @@ Description describe(const std::filesystem::path& file, const LoadOptions& optio
   if (std::filesystem::is_directory(file, missing)) return describe_scans(file);
   const std::string ending = ending_of(file);
   if (ending == ".bin" || ending == ".pcd") return describe_cloud(file);
-  // Whatever it is called: the reader says what is wrong with a file that is none.
+  if (ending == ".csv" || ending == ".ply") {
+    throw Error(ErrorKind::input,
+                fmt::format("{} is written for other programs and cannot be read: maps (.rmap), "
+                            "folders of scans and clouds (.bin, .pcd) can",
+                            file.string()));
+  }
+  // Whatever else it is called: the reader says what is wrong with a file that is none.
   return describe_map(file, options);
 }
 

@@ -17,6 +17,11 @@ std::string dumped(const Json& json, int indent) {
 
 }  // namespace
 
+Json json_of_count(double count) {
+  if (count < 0x1p63) return static_cast<std::uint64_t>(count);
+  return count;
+}
+
 Json json_of(const Vector3d& vector) { return Json::array({vector.x(), vector.y(), vector.z()}); }
 
 Json json_of(const Cell& cell) { return Json::array({cell.x(), cell.y(), cell.z()}); }

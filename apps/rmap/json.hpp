@@ -12,6 +12,8 @@ namespace rmap::command {
 /// Keeps the order of the keys: answers read as they are written.
 using Json = nlohmann::ordered_json;
 
+/// A count that the library keeps as a double: an integer, beyond 2^63 rounded.
+Json json_of_count(double count);
 /// [x, y, z]
 Json json_of(const Vector3d& vector);
 Json json_of(const Cell& cell);

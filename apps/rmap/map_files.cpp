@@ -1,7 +1,6 @@
 #include "map_files.hpp"
 
 #include "signals.hpp"
-#include "words.hpp"
 
 #include <cerrno>
 #include <system_error>
@@ -12,40 +11,51 @@
 #include <rmap/cells.hpp>
 #include <rmap/error.hpp>
 #include <rmap/map_file.hpp>
+#include <rmap/scan_files.hpp>
 
 namespace rmap::command {
 
 namespace {
 
-bool is_device_or_pipe(const std::filesystem::path& file) {
+namespace fs = std::filesystem;
+
+fs::file_status status_of(const fs::path& file) {
   std::error_code missing;
-  return std::filesystem::is_other(std::filesystem::status(file, missing));
+  return fs::status(file, missing);
+}
+
+[[noreturn]] void refuse(const fs::path& file, const std::string& why) {
+  throw Error(ErrorKind::io, fmt::format("cannot write {}: {}", file.string(), why));
 }
 
 }  // namespace
 
-void check_map_output(const std::filesystem::path& file) {
-  if (is_device_or_pipe(file)) return;
-  if (ending_of(file) != ".rmap") {
+void check_output_file(const fs::path& file) {
+  const fs::file_status status = status_of(file);
+  if (fs::is_other(status)) return;
+  if (file.empty()) throw Error(ErrorKind::input, "the output has no name: it must be a file");
+  if (fs::is_directory(status)) refuse(file, "it is a folder, and must be a file");
+  if (fs::exists(status) && ::access(file.c_str(), W_OK) != 0) {
+    refuse(file, std::generic_category().message(errno));
+  }
+  const fs::path folder = file.has_parent_path() ? file.parent_path() : ".";
+  if (::access(folder.c_str(), W_OK | X_OK) != 0) {
+    refuse(file, fmt::format("its folder {}: {}", folder.string(),
+                             std::generic_category().message(errno)));
+  }
+}
+
+void check_map_output(const fs::path& file) {
+  if (!fs::is_other(status_of(file)) && ending_of(file) != ".rmap") {
     throw Error(ErrorKind::input,
                 fmt::format("the output {} does not end in .rmap, as a map must: `rmap convert` "
                             "makes other formats of a map",
                             file.string()));
   }
-  check_output_folder(file);
+  check_output_file(file);
 }
 
-void check_output_folder(const std::filesystem::path& file) {
-  if (is_device_or_pipe(file)) return;
-  const std::filesystem::path folder = file.has_parent_path() ? file.parent_path() : ".";
-  if (::access(folder.c_str(), W_OK | X_OK) != 0) {
-    throw Error(ErrorKind::io,
-                fmt::format("cannot write {} into the folder {}: {}", file.string(),
-                            folder.string(), std::generic_category().message(errno)));
-  }
-}
-
-void save_map(const Grid& grid, const std::filesystem::path& file) {
+void save_map(const Grid& grid, const fs::path& file) {
   const SignalHold hold;
   save(grid, file);
   hold.check();

@@ -6,14 +6,16 @@
 
 namespace rmap::command {
 
-/// Throws Error(input) unless `file` can be the place of a map: its name ends in .rmap,
-/// Called before the long work, not after it.
+// What can be told before the long work is refused there, not after it.
+
+/// Throws Error unless `file` can be written: it is no folder, a former file may be
+/// replaced, and its folder takes files. Devices and pipes pass.
+void check_output_file(const std::filesystem::path& file);
+
+/// The same for a map, whose name must end in .rmap.
 void check_map_output(const std::filesystem::path& file);
 
-/// Throws Error unless files can be put into the folder of `file`.
-void check_output_folder(const std::filesystem::path& file);
-
-/// rmap::save that SIGINT and SIGTERM do not break off; throws Interrupted after it.
+/// rmap::save that SIGHUP, SIGINT and SIGTERM do not break off; throws Interrupted after it.
 void save_map(const Grid& grid, const std::filesystem::path& file);
 
 /// How many cells are occupied.

@@ -5,6 +5,7 @@
 #include <string>
 #include <system_error>
 #include <unistd.h>
+#include <utility>
 
 #include <rmap/error.hpp>
 
@@ -21,6 +22,11 @@ namespace {
 
 void print(std::string_view text) {
   if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size()) fail(errno);
+}
+
+void Table::row(std::string_view text) {
+  print(std::exchange(header_, {}));
+  print(text);
 }
 
 void flush_output() {

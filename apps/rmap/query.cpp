@@ -31,6 +31,7 @@ void add_query(CLI::App& app) {
        .examples = {"rmap query street.rmap point 4.2,0,1.1 0,0,0.5",
                     "rmap query street.rmap box 4,-1,0,6,1,2 --json"}});
   add_path(verb, "MAP", shared->map, "The map, a .rmap file.");
+  add_json_flag(verb, shared->json);
   verb.require_subcommand(1);
   add_point_query(verb, shared);
   add_box_query(verb, shared);

@@ -31,29 +31,35 @@ struct CellsArguments {
   Criterion criterion = Criterion::mean;
 };
 
-void print_header(bool json) {
-  if (json) return;
-  print(fmt::format("{:>12} {:>12} {:>12} {:>10}  probability  state\n", "x", "y", "z", "size"));
-}
+class CellPrinter {
+ public:
+  explicit CellPrinter(bool json) : json_(json) {}
 
-void print_cell(const Vector3d& center, double size, double probability, State state, bool json) {
-  if (json) {
-    print_json_line({{"center", json_of(center)},
-                     {"size", size},
-                     {"probability", probability},
-                     {"state", word_of(state)}});
-  } else {
-    print(fmt::format("{:>12.6g} {:>12.6g} {:>12.6g} {:>10.6g}  {:>11.6f}  {}\n", center.x(),
-                      center.y(), center.z(), size, probability, word_of(state)));
+  void print(const Vector3d& center, double size, double probability, State state) {
+    if (json_) {
+      print_json_line({{"center", json_of(center)},
+                       {"size", size},
+                       {"probability", probability},
+                       {"state", word_of(state)}});
+    } else {
+      table_.row(fmt::format("{:>12.6g} {:>12.6g} {:>12.6g} {:>10.6g}  {:>11.6f}  {}\n", center.x(),
+                             center.y(), center.z(), size, probability, word_of(state)));
+    }
   }
-}
+
+ private:
+  bool json_;
+  Table table_{
+      fmt::format("{:>12} {:>12} {:>12} {:>10}  probability  state\n", "x", "y", "z", "size")};
+};
 
 void print_single_cells(const Grid& grid, const CellsArguments& arguments) {
+  CellPrinter printer(arguments.shared->json);
   const CellSelection selection{
       .box = arguments.box, .sphere = arguments.sphere, .occupied_only = arguments.occupied_only};
   for (const auto& [cell, value] : cells(grid, selection)) {
-    print_cell(grid.lattice().center(cell), grid.lattice().resolution(), probability_of(value),
-               grid.rule().occupied(value) ? State::occupied : State::free, arguments.shared->json);
+    printer.print(grid.lattice().center(cell), grid.lattice().resolution(), probability_of(value),
+                  grid.rule().occupied(value) ? State::occupied : State::free);
   }
 }
 
@@ -67,14 +73,14 @@ void print_multiresolution(const Grid& grid, const CellsArguments& arguments) {
     // Also for an endless growth the cell at the centre stays single.
     return distance > fine ? growth * (distance - fine) : 0;
   };
+  CellPrinter printer(arguments.shared->json);
   const double threshold = grid.options().occupied_threshold;
   for (const QueryCuboid& cuboid : cells_at(grid, edge_in)) {
     const double probability = arguments.criterion == Criterion::mean ? cuboid.mean : cuboid.max;
     const State state = probability > threshold ? State::occupied : State::free;
     if (arguments.occupied_only && state != State::occupied) continue;
     const Box box = grid.lattice().metric(cuboid.box);
-    print_cell((box.min + box.max) / 2, box.max.x() - box.min.x(), probability, state,
-               arguments.shared->json);
+    printer.print((box.min + box.max) / 2, box.max.x() - box.min.x(), probability, state);
   }
 }
 
@@ -88,11 +94,11 @@ void run(const CellsArguments& arguments) {
   for (const auto& [name, number] :
        {std::pair("--growth", arguments.growth), std::pair("--fine", arguments.fine)}) {
     if (number && !(*number >= 0)) {
-      throw UsageError(fmt::format("{} is {}: it must not be negative", name, *number));
+      throw UsageError(fmt::format("{} is {}: it must be at least 0", name, *number));
     }
   }
+  if (arguments.box) require_volume("--box", *arguments.box);
   const Grid grid = load_map(*arguments.shared);
-  print_header(arguments.shared->json);
   if (arguments.center) {
     print_multiresolution(grid, arguments);
   } else {

@@ -79,7 +79,7 @@ void run_points(const PointArguments& arguments) {
   const auto given = arguments.requests.parsed();
   const Grid grid = load_map(*arguments.shared);
   const bool json = arguments.shared->json;
-  if (!json) print(fmt::format("{:>12} {:>12} {:>12}  probability  state\n", "x", "y", "z"));
+  Table table(fmt::format("{:>12} {:>12} {:>12}  probability  state\n", "x", "y", "z"));
   arguments.requests.answer_all(given, [&](const std::array<double, 3>& numbers) {
     const Vector3d point = vector_at(numbers);
     const State state = grid.state(point);
@@ -90,8 +90,8 @@ void run_points(const PointArguments& arguments) {
                        {"probability", probability},
                        {"cell", json_of(grid.lattice().cell_of(point))}});
     } else {
-      print(fmt::format("{:>12.6g} {:>12.6g} {:>12.6g}  {:>11.6f}  {}\n", point.x(), point.y(),
-                        point.z(), probability, word_of(state)));
+      table.row(fmt::format("{:>12.6g} {:>12.6g} {:>12.6g}  {:>11.6f}  {}\n", point.x(), point.y(),
+                            point.z(), probability, word_of(state)));
     }
   });
 }
@@ -108,10 +108,8 @@ void run_boxes(const BoxArguments& arguments) {
   const auto given = arguments.requests.parsed();
   const Grid grid = load_map(*arguments.shared);
   const bool json = arguments.shared->json;
-  if (!json) {
-    print(fmt::format("{:>10} {:>10}  {:<8} {:>12} {:>10} {:>10}  {}\n", "mean", "max", "occupied",
-                      "cells", "existing", "occupied", "box of cells"));
-  }
+  Table table(fmt::format("{:>10} {:>10}  {:<8} {:>12} {:>10} {:>10}  {}\n", "mean", "max",
+                          "occupied", "cells", "existing", "occupied", "box of cells"));
   arguments.requests.answer_all(given, [&](const std::array<double, 6>& n) {
     const Box box{.min = {n[0], n[1], n[2]}, .max = {n[3], n[4], n[5]}};
     const BoxOccupancy answer = box_occupancy(grid, box);
@@ -124,13 +122,13 @@ void run_boxes(const BoxArguments& arguments) {
                        {"max", answer.max},
                        {"criterion", word_of(arguments.criterion)},
                        {"occupied", occupied},
-                       {"cells", answer.cells},
+                       {"cells", json_of_count(answer.cells)},
                        {"existing_cells", answer.existing},
                        {"occupied_cells", answer.occupied}});
     } else {
-      print(fmt::format("{:>10.6f} {:>10.6f}  {:<8} {:>12.12g} {:>10} {:>10}  {}\n", answer.mean,
-                        answer.max, occupied ? "yes" : "no", answer.cells, answer.existing,
-                        answer.occupied, readable_box(used)));
+      table.row(fmt::format("{:>10.6f} {:>10.6f}  {:<8} {:>12.12g} {:>10} {:>10}  {}\n",
+                            answer.mean, answer.max, occupied ? "yes" : "no", answer.cells,
+                            answer.existing, answer.occupied, readable_box(used)));
     }
   });
 }
@@ -144,7 +142,7 @@ struct CastArguments {
   double max_range = std::numeric_limits<double>::infinity();
 };
 
-void print_hit(const std::optional<RayHit>& hit, bool json) {
+void print_hit(const std::optional<RayHit>& hit, bool json, Table& table) {
   if (json) {
     Json answer{{"hit", hit.has_value()}};
     if (hit) {
@@ -155,10 +153,10 @@ void print_hit(const std::optional<RayHit>& hit, bool json) {
     }
     print_json_line(answer);
   } else if (hit) {
-    print(fmt::format("{:>12.6g}  {:<6} {}\n", hit->distance, word_of(hit->face),
-                      in_brackets(hit->point)));
+    table.row(fmt::format("{:>12.6g}  {:<6} {}\n", hit->distance, word_of(hit->face),
+                          in_brackets(hit->point)));
   } else {
-    print(fmt::format("{:>12}  {:<6} {}\n", "none", "", ""));
+    table.row(fmt::format("{:>12}  {:<6} {}\n", "none", "", ""));
   }
 }
 
@@ -180,9 +178,10 @@ void run_casts(const CastArguments& arguments) {
   const auto given = requests.parsed();
   const Grid grid = load_map(*arguments.shared);
   const bool json = arguments.shared->json;
-  if (!json) print(fmt::format("{:>12}  {:<6} {}\n", "distance", "face", "point"));
+  Table table(fmt::format("{:>12}  {:<6} {}\n", "distance", "face", "point"));
   requests.answer_all(given, [&](const std::array<double, 6>& n) {
-    print_hit(cast_ray(grid, {n[0], n[1], n[2]}, {n[3], n[4], n[5]}, arguments.max_range), json);
+    print_hit(cast_ray(grid, {n[0], n[1], n[2]}, {n[3], n[4], n[5]}, arguments.max_range), json,
+              table);
   });
 }
 

@@ -74,14 +74,16 @@ std::vector<Vector3f> surface_points(const Scene& scene, double spacing) {
   return points;
 }
 
+[[noreturn]] void fail(const char* doing, const std::filesystem::path& path, int code) {
+  throw Error(ErrorKind::io, fmt::format("cannot {} {}: {}", doing, path.string(),
+                                         std::generic_category().message(code)));
+}
+
 void write_text(const std::filesystem::path& file, const std::string& text) {
   std::ofstream stream(file, std::ios::binary);
   stream << text;
   stream.close();
-  if (!stream) {
-    throw Error(ErrorKind::io, fmt::format("cannot write {}: {}", file.string(),
-                                           std::generic_category().message(errno)));
-  }
+  if (!stream) fail("write", file, errno);
 }
 
 struct Written {
@@ -89,38 +91,53 @@ struct Written {
   std::uint64_t surface_points = 0;
 };
 
-Written write_all(const Simulation& simulation, const SimulateArguments& arguments) {
-  const SignalHold hold;
-  StagedFolder folder(arguments.output);
-  check_no_scans(arguments.output);
-  Written written;
-
-  ScanFolderWriter writer(folder.staging(), fmt::format(".{}", word_of(arguments.ending)));
+// Returns the number of points.
+std::uint64_t write_scans(const Simulation& simulation, ScanEnding ending,
+                          const std::filesystem::path& folder, const SignalHold& hold) {
+  ScanFolderWriter writer(folder, fmt::format(".{}", word_of(ending)));
   Progress progress("simulating", simulation.size());
+  std::uint64_t points = 0;
   for (std::size_t i = 0; i < simulation.size(); ++i) {
     hold.check();
     const Scan scan = simulation.scan(i);
-    if (scan.points.empty() && arguments.ending == ScanEnding::bin) {
+    if (scan.points.empty() && ending == ScanEnding::bin) {
       throw Error(ErrorKind::input,
                   fmt::format("scan {} of {} holds no point, which a .bin file cannot say: take "
                               "--format pcd",
                               i, simulation.name()));
     }
-    written.points += scan.points.size();
+    points += scan.points.size();
     writer.add(scan);
     progress.advance();
   }
   writer.finish();
+  return points;
+}
 
-  const std::vector<Vector3f> surface = surface_points(simulation.scene(), arguments.spacing);
-  written.surface_points = surface.size();
-  std::filesystem::create_directory((folder.staging() / kSurfaceFile).parent_path());
-  write_points(folder.staging() / kSurfaceFile, surface);
+// Returns the number of points on the surface.
+std::uint64_t write_truth(const Simulation& simulation, double spacing,
+                          const std::filesystem::path& folder) {
+  const std::vector<Vector3f> surface = surface_points(simulation.scene(), spacing);
+  const std::filesystem::path file = folder / kSurfaceFile;
+  std::error_code code;
+  std::filesystem::create_directory(file.parent_path(), code);
+  if (code) fail("create the folder", file.parent_path(), code.value());
+  write_points(file, surface);
   Json truth = truth_of(simulation);
-  truth["surface"] = {
-      {"file", kSurfaceFile}, {"spacing", arguments.spacing}, {"points", surface.size()}};
-  write_text(folder.staging() / kTruthFile, text_of(truth));
+  truth["surface"] = {{"file", kSurfaceFile}, {"spacing", spacing}, {"points", surface.size()}};
+  write_text(folder / kTruthFile, text_of(truth));
+  return surface.size();
+}
 
+Written write_all(const Simulation& simulation, const SimulateArguments& arguments) {
+  const SignalHold hold;
+  StagedFolder folder(arguments.output);
+  check_no_scans(arguments.output);
+  Written written;
+  folder.fill([&](const std::filesystem::path& staging) {
+    written.points = write_scans(simulation, arguments.ending, staging, hold);
+    written.surface_points = write_truth(simulation, arguments.spacing, staging);
+  });
   hold.check();
   folder.publish("poses.txt");
   return written;

@@ -1,7 +1,6 @@
 #include "staged_folder.hpp"
 
-#include "words.hpp"
-
+#include <string>
 #include <system_error>
 #include <unistd.h>
 #include <utility>
@@ -10,6 +9,7 @@
 #include <fmt/format.h>
 
 #include <rmap/error.hpp>
+#include <rmap/scan_files.hpp>
 
 namespace rmap::command {
 
@@ -19,6 +19,14 @@ namespace fs = std::filesystem;
 
 [[noreturn]] void fail(const char* doing, const fs::path& path, const std::error_code& code) {
   throw Error(ErrorKind::io, fmt::format("cannot {} {}: {}", doing, path.string(), code.message()));
+}
+
+std::string replaced(std::string text, const std::string& from, const std::string& to) {
+  for (std::size_t at = text.find(from); at != std::string::npos; at = text.find(from, at)) {
+    text.replace(at, from.size(), to);
+    at += to.size();
+  }
+  return text;
 }
 
 void move_to(const fs::path& folder, const fs::path& file) {
@@ -43,6 +51,14 @@ StagedFolder::~StagedFolder() {
   fs::remove_all(staging_, ignored);
   // Removes it only while it is empty.
   if (created_target_) fs::remove(target_, ignored);
+}
+
+void StagedFolder::fill(FunctionRef<void(const fs::path& staging)> write) {
+  try {
+    write(staging_);
+  } catch (const Error& error) {
+    throw Error(error.kind(), replaced(error.what(), staging_.string(), target_.string()));
+  }
 }
 
 void StagedFolder::publish(const fs::path& last) {

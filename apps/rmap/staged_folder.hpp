@@ -2,6 +2,8 @@
 
 #include <filesystem>
 
+#include <rmap/function_ref.hpp>
+
 namespace rmap::command {
 
 /// A folder that is filled completely or not at all: files are first put into a hidden
@@ -14,8 +16,9 @@ class StagedFolder {
   StagedFolder& operator=(const StagedFolder&) = delete;
   ~StagedFolder();
 
-  /// Where to put the files.
-  const std::filesystem::path& staging() const { return staging_; }
+  /// write(staging) puts files into the hidden folder. An Error of it is thrown on with the
+  /// target's name in place of the hidden one, which means nothing to anybody.
+  void fill(FunctionRef<void(const std::filesystem::path& staging)> write);
 
   /// Moves everything to the target, `last` at the end. Throws Error(input), with nothing
   /// moved, when the target holds one of the names already.

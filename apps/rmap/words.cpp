@@ -157,14 +157,4 @@ std::string readable_box(const Box& box) {
   return fmt::format("{} to {}", in_brackets(box.min), in_brackets(box.max));
 }
 
-std::string ending_of(const std::filesystem::path& path) {
-  std::string ending = path.extension().string();
-  // Not std::tolower, which depends on the locale.
-  std::transform(ending.begin(), ending.end(), ending.begin(), [](char character) {
-    return character >= 'A' && character <= 'Z' ? static_cast<char>(character - 'A' + 'a')
-                                                : character;
-  });
-  return ending;
-}
-
 }  // namespace rmap::command

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <filesystem>
 #include <optional>
 #include <span>
 #include <string>
@@ -98,8 +97,5 @@ std::string readable_bytes(std::uint64_t bytes);
 std::string in_brackets(const Vector3d& vector);
 /// "(0, 0, 0) to (1, 2, 3)".
 std::string readable_box(const Box& box);
-
-/// The ending of a file's name in lower case, as ".pcd".
-std::string ending_of(const std::filesystem::path& path);
 
 }  // namespace rmap::command

@@ -14,6 +14,10 @@ namespace rmap {
 /// Most points that a file may hold: 2^28, 3 GiB in memory.
 inline constexpr std::size_t kMaxPointsPerFile = std::size_t{1} << 28;
 
+/// The ending of a file's name in lower case, with its dot: what tells formats apart. Empty
+/// without one.
+std::string ending_of(const std::filesystem::path& file);
+
 /// The points of one `.bin` or `.pcd` file, metres, in the order of the file, as
 /// described at `open_scans`. Points that are not finite stay in; coordinates
 /// beyond float32 become infinite. No poses are needed or used. Throws Error(input)

@@ -47,9 +47,13 @@ std::optional<Cell> Lattice::find_cell(const Vector3d& point) const {
 
 Cell Lattice::cell_of(const Vector3d& point) const {
   if (const auto cell = find_cell(point)) return *cell;
+  if (!point.allFinite()) {
+    throw Error(ErrorKind::limit, fmt::format("the point ({}, {}, {}) m is not finite", point.x(),
+                                              point.y(), point.z()));
+  }
   throw Error(ErrorKind::limit,
               fmt::format("the point ({}, {}, {}) m is beyond what a map can hold: at a resolution "
-                          "of {} m coordinates must lie within +-{} m",
+                          "of {} m coordinates must lie within +-{:.15g} m",
                           point.x(), point.y(), point.z(), resolution_,
                           kMaxCellIndex * resolution_));
 }
@@ -71,7 +75,7 @@ CellBox Lattice::cells_of(const Box& box) const {
       if (std::isfinite(border) && !(std::abs(border) <= -static_cast<double>(kMinCellIndex))) {
         throw Error(ErrorKind::limit,
                     fmt::format("the box runs from {} to {} m in {}: at a resolution of {} m it "
-                                "must lie within +-{} m",
+                                "must lie within +-{:.15g} m",
                                 box.min[axis], box.max[axis], kAxisNames[axis], resolution_,
                                 kMaxCellIndex * resolution_));
       }

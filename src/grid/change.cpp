@@ -21,6 +21,13 @@ void require_probability(double probability) {
               fmt::format("the probability is {}: it must lie in 0 to 1", probability));
 }
 
+[[noreturn]] void refuse_beyond_limits(const char* what, const Cell& place) {
+  throw Error(ErrorKind::limit,
+              fmt::format("the {} at ({}, {}, {}) is beyond the limits: indices of cells must lie in "
+                          "{} to {}",
+                          what, place.x(), place.y(), place.z(), kMinCellIndex, kMaxCellIndex));
+}
+
 // The cells of a leaf that lie in `region`.
 CellMask cells_within(const Leaf& leaf, const CellBox& region) {
   if (region.contains(leaf.box())) return *leaf.cells;
@@ -75,18 +82,14 @@ void Grid::set(const Cell& cell, double probability) {
 }
 
 void Grid::set_value(const Cell& cell, Value value) {
+  if (!within_limits(cell)) refuse_beyond_limits("cell", cell);
   CellMask one;
   one.set(block_position(cell));
   set_block(block_origin(cell), one, {&value, 1});
 }
 
 void Grid::set_block(const Cell& origin, const CellMask& cells, std::span<const Value> values) {
-  if (!within_limits(origin)) {
-    throw Error(ErrorKind::limit,
-                fmt::format("the block at ({}, {}, {}) is beyond the limits: indices of cells must "
-                            "lie in {} to {}",
-                            origin.x(), origin.y(), origin.z(), kMinCellIndex, kMaxCellIndex));
-  }
+  if (!within_limits(origin)) refuse_beyond_limits("block", origin);
   if (origin != block_origin(origin) || values.size() != cells.count()) {
     throw Error(ErrorKind::input,
                 fmt::format("the block at ({}, {}, {}) gets {} values for {} cells: it must start at "

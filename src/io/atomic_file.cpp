@@ -63,6 +63,7 @@ void sync_folder(const std::filesystem::path& folder) {
 }  // namespace
 
 AtomicFile::AtomicFile(std::filesystem::path target) : target_(std::move(target)) {
+  if (target_.empty()) throw Error(ErrorKind::input, "the file to write has no name");
   buffer_.reserve(kBufferSize);
   struct stat status {};
   const bool exists = ::stat(target_.c_str(), &status) == 0;

@@ -11,6 +11,7 @@
 
 #include <rmap/cell_files.hpp>
 #include <rmap/error.hpp>
+#include <rmap/scan_files.hpp>
 
 namespace rmap {
 

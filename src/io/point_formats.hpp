@@ -23,9 +23,6 @@ struct PointFormat {
   void (*write)(const std::filesystem::path& file, std::span<const Vector3f> points);
 };
 
-/// The ending of a file's name in lower case, with its dot; "" without one.
-std::string ending_of(const std::filesystem::path& file);
-
 /// The format with that ending, or null.
 const PointFormat* find_point_format(std::string_view ending);
 

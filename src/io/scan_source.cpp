@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include <rmap/error.hpp>
+#include <rmap/scan_files.hpp>
 #include <rmap/scan_source.hpp>
 
 namespace rmap {

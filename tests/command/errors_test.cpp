@@ -1,6 +1,8 @@
 #include "command/command.hpp"
 
 #include <string>
+#include <sys/stat.h>
+#include <unistd.h>
 #include <vector>
 
 #include <gmock/gmock.h>
@@ -47,7 +49,6 @@ TEST_F(Errors, OfUsage) {
       {kUsage,
        {"build", "room", "-o", "m.rmap", "--resolution", "0.1m"},
        {"--resolution is \"0.1m\"", "must be a number"}},
-      {kUsage, {"build", "room", "-o", "m.rmap", "--resolution", "nan"}, {"\"nan\""}},
       {kUsage, {"build", "room", "-o", "m.rmap", "--resolution", "0,1"}, {"\"0,1\""}},
       {kUsage, {"build", "room", "-o", "m.rmap", "--resolution", ""}, {"--resolution"}},
       {kUsage,
@@ -55,7 +56,10 @@ TEST_F(Errors, OfUsage) {
        {"--layout is \"octree\"", "blocks or cells"}},
       {kUsage,
        {"build", "room", "-o", "m.rmap", "--resolution", "0.1", "--every", "0"},
-       {"--every is \"0\"", "at least 1"}},
+       {"--every is \"0\"", "from 1 to 2147483647"}},
+      {kUsage,
+       {"build", "room", "-o", "m.rmap", "--resolution", "0.1", "--every", "1000000000000"},
+       {"--every is \"1000000000000\"", "from 1 to 2147483647"}},
       {kUsage,
        {"build", "room", "-o", "m.rmap", "--resolution", "0.1", "--threads", "two"},
        {"--threads is \"two\"", "whole number"}},
@@ -102,6 +106,9 @@ TEST_F(Errors, OfInputAndRequest) {
   write("empty.rmap", "");
   write("note.txt", "a note");
   std::filesystem::create_directory(folder() / "bare");
+  std::filesystem::create_directory(folder() / "folder.rmap");
+  write("c.ply", "ply\n");
+  write("c.csv", "x,y,z\n");
   rmap_done({"build", "room", "-o", "m.rmap", "--resolution", "0.2"});
   expect({
       {kFailed, {"build", "gone", "-o", "n.rmap", "--resolution", "0.1"}, {"gone", "No such file"}},
@@ -113,7 +120,25 @@ TEST_F(Errors, OfInputAndRequest) {
       {kFailed,
        {"build", "room", "-o", "gone/n.rmap", "--resolution", "0.1"},
        {"gone/n.rmap", "No such file"}},
+      // Before the scans are looked for.
+      {kFailed,
+       {"build", "gone", "-o", "folder.rmap", "--resolution", "0.1"},
+       {"folder.rmap: it is a folder"}},
+      {kFailed,
+       {"build", "gone", "-o", "n.rmap", "--resolution", "0.1", "--crop", "0,3,0,1,2,1"},
+       {"--crop is an empty box: y runs from 3 to 2 m"}},
+      {kFailed,
+       {"build", "gone", "--dry-run", "--resolution", "0.1", "--ignore", "0,0,0,1,1,1", "--ignore",
+        "0,0,5,1,1,5"},
+       {"--ignore is an empty box: z runs from 5 to 5 m"}},
       {kFailed, {"build", "room", "-o", "n.rmap", "--resolution", "0"}, {"resolution is 0"}},
+      {kFailed,
+       {"build", "room", "-o", "n.rmap", "--resolution", "nan"},
+       {"resolution is nan m: it must lie in 1e-06 to 1000000 m"}},
+      {kFailed,
+       {"build", "room", "-o", "n.rmap", "--resolution", "0.1", "--max-range", "nan"},
+       {"max_range is nan m: it must be above min_range"}},
+      {kFailed, {"simulate", "room", "-o", "x", "--noise", "nan"}, {"noise is nan", "0 to 1000"}},
       {kFailed,
        {"build", "room", "-o", "n.rmap", "--resolution", "0.1", "--prob-hit", "0.3"},
        {"prob_hit"}},
@@ -126,17 +151,33 @@ TEST_F(Errors, OfInputAndRequest) {
       {kFailed, {"info", "empty.rmap"}, {"empty.rmap"}},
       {kFailed, {"info", "note.txt"}, {"note.txt"}},
       {kFailed, {"info", "bare"}, {"bare"}},
+      {kFailed, {"info", "c.ply"}, {"c.ply", "cannot be read", ".rmap", ".bin, .pcd"}},
+      {kFailed, {"info", "c.csv"}, {"c.csv", "cannot be read"}},
       {kFailed, {"query", "no.rmap", "point", "0,0,0"}, {"no.rmap"}},
+      {kFailed,
+       {"query", "m.rmap", "cast", "0,0,0", "1,0,0", "--max-range", "nan"},
+       {"range of the ray is nan"}},
       {kFailed, {"convert", "m.rmap", "m.xyz"}, {"m.xyz", ".csv"}},
       {kFailed, {"convert", "note.txt", "m.csv"}, {"note.txt", ".rmap"}},
       {kFailed, {"convert", "m.rmap", "gone/m.csv"}, {"gone", "No such file"}},
+      {kFailed, {"convert", "gone.rmap", "bare"}, {"bare: it is a folder"}},
+      {kFailed, {"convert", "gone.rmap", ""}, {"the output has no name"}},
       {kFailed, {"convert", "m.rmap", "p.rmap", "--prune", "1.5"}, {"1.5"}},
-      {kFailed, {"convert", "m.rmap", "p.rmap", "--crop", "1,1,1,0,0,0"}, {"empty"}},
+      {kFailed, {"convert", "gone.rmap", "p.rmap", "--crop", "1,1,1,0,0,0"}, {"--crop", "empty"}},
       {kFailed, {"compare", "m.rmap", "note.txt"}, {"note.txt"}},
       {kFailed, {"compare", "m.rmap", "gone.pcd"}, {"gone.pcd"}},
       {kFailed, {"merge", "m.rmap", "no.rmap", "-o", "s.rmap"}, {"no.rmap"}},
       {kFailed, {"merge", "m.rmap", "m.rmap", "-o", "s.ply"}, {"s.ply", ".rmap"}},
   });
+}
+
+TEST_F(Errors, AFileThatMustNotBeReplacedIsNamedBeforeTheWork) {
+  if (::geteuid() == 0) GTEST_SKIP() << "root may write everything";
+  write("m.rmap", "");
+  ASSERT_EQ(::chmod((folder() / "m.rmap").c_str(), 0400), 0);
+  expect({{kFailed,
+           {"build", "gone", "-o", "m.rmap", "--resolution", "0.1"},
+           {"m.rmap: Permission denied"}}});
 }
 
 TEST_F(Errors, OfDamagedMaps) {

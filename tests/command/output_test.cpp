@@ -41,7 +41,9 @@ TEST_F(Output, AFormerFileSurvivesAFailedWrite) {
   EXPECT_THAT(rmap_refused(1, {"convert", "room.rmap", "room.csv"}, small),
               HasSubstr("File too large"));
   EXPECT_THAT(rmap_refused(1, {"simulate", "room", "-o", "new"}, small),
-              HasSubstr("File too large"));
+              HasSubstr("cannot write new/000000.bin: File too large"));
+  EXPECT_THAT(rmap_refused(1, {"convert", "room", "new"}, small),
+              HasSubstr("cannot write new/000000.bin: File too large"));
   EXPECT_EQ(bytes("room.rmap"), before);
   EXPECT_EQ(listing(), names);
 }

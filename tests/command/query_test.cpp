@@ -184,6 +184,33 @@ TEST_F(Query, CellsAtTheCentreAreFineForEveryGrowth) {
   }
 }
 
+TEST_F(Query, JsonMayStandAnywhere) {
+  const std::string expected = rmap_done({"query", "map.rmap", "point", "1,2,3", "--json"}).out;
+  EXPECT_EQ(rmap_done({"query", "--json", "map.rmap", "point", "1,2,3"}).out, expected);
+  EXPECT_EQ(rmap_done({"query", "map.rmap", "--json", "point", "1,2,3"}).out, expected);
+}
+
+TEST_F(Query, CountsAreIntegers) {
+  const auto small = query({"box", "0,0,0,1,1,1"}).front();
+  EXPECT_TRUE(small["cells"].is_number_integer());
+  EXPECT_EQ(small["cells"], 64);
+  const auto all =
+      rmap_done({"query", "map.rmap", "--json", "box", "--", "-inf,-inf,-inf,inf,inf,inf"}).json();
+  EXPECT_EQ(all["cells"], std::pow(2.0, 93));
+}
+
+TEST_F(Query, TablesBeginWithTheirFirstRow) {
+  EXPECT_THAT(rmap_done({"query", "map.rmap", "point", "1,2,3"}).out, HasSubstr("probability"));
+  for (const std::vector<std::string>& request :
+       {std::vector<std::string>{"point", "1e300,0,0"}, {"cast", "0,0,0", "0,0,0"},
+        {"box", "0,0,0,0,1,1"}, {"cells", "--box", "0,0,0,0,1,1"}}) {
+    std::vector<std::string> call{"query", "map.rmap"};
+    call.insert(call.end(), request.begin(), request.end());
+    EXPECT_EQ(rmap(call).out, "");
+    rmap_refused(1, call);
+  }
+}
+
 TEST_F(Query, WrongRequestsAreNamed) {
   write("bad.txt", "1,2,3\n4,5\n");
   EXPECT_THAT(

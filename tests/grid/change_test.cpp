@@ -112,7 +112,13 @@ TEST_P(ChangeInLayout, RefusesWhatCannotBeSet) {
   Grid grid(options());
   EXPECT_THROW(grid.set({0, 0, 0}, 1.5), Error);
   EXPECT_THROW(grid.set({0, 0, 0}, std::nan("")), Error);
-  EXPECT_THROW(grid.set({0, kMaxCellIndex + 1, 0}, 0.5), Error);
+  try {
+    grid.set({3, kMaxCellIndex + 2, 0}, 0.5);
+    ADD_FAILURE() << "accepted";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.kind(), ErrorKind::limit);
+    EXPECT_THAT(error.what(), testing::HasSubstr("the cell at (3, 1073741825, 0) is beyond"));
+  }
   EXPECT_THROW(grid.prune(-0.5), Error);
   EXPECT_THROW(grid.erase({.min = {0, 0, 0}, .max = {0, 1, 1}}), Error);
   EXPECT_EQ(grid.revision(), 0u);

@@ -37,6 +37,10 @@ TEST(AtomicFile, appears_with_commit_and_not_before) {
   EXPECT_EQ(read_text(folder / "a.txt"), "hello");
 }
 
+TEST(AtomicFile, needs_a_name) {
+  expect_error(ErrorKind::input, "the file to write has no name", [] { AtomicFile file(""); });
+}
+
 TEST(AtomicFile, leaves_nothing_without_commit) {
   const test::TemporaryFolder folder;
   { AtomicFile(folder / "a.txt").write("hello"); }
