@@ -1,6 +1,7 @@
 #include "io/point_formats.hpp"
 
 #include "io/bin_file.hpp"
+#include "io/memory.hpp"
 #include "io/pcd_file.hpp"
 #include "io/pcd_header.hpp"
 #include "io/text.hpp"
@@ -64,6 +65,7 @@ const PointFormat* find_point_format(std::string_view ending) {
 
 std::string point_endings() {
   std::vector<std::string_view> endings;
+  endings.reserve(kFormats.size());
   for (const PointFormat& format : kFormats) endings.push_back(format.ending);
   return fmt::format("{}", fmt::join(endings, " and "));
 }
@@ -72,7 +74,7 @@ void read_points_into(const std::filesystem::path& file, std::vector<Vector3f>& 
   const PointFormat& format = format_of(file);
   InputFile input(file);
   check_not_misnamed(input, format);
-  format.read(input, points);
+  with_memory_for(file, [&] { format.read(input, points); });
 }
 
 std::vector<Vector3f> read_points(const std::filesystem::path& file) {

@@ -1,5 +1,6 @@
 #include "io/atomic_file.hpp"
 #include "io/input_file.hpp"
+#include "io/memory.hpp"
 #include "io/text.hpp"
 
 #include <array>
@@ -47,10 +48,9 @@ bool is_form(std::size_t count) { return count == 7 || count == 8 || count == 12
 // The 3x4 part of a matrix given row by row.
 Pose matrix_pose(const Numbers& numbers) {
   Pose pose = Pose::Identity();
+  const double* value = numbers.values.data();
   for (int row = 0; row < 3; ++row) {
-    for (int column = 0; column < 4; ++column) {
-      pose(row, column) = numbers.values[static_cast<std::size_t>(4 * row + column)];
-    }
+    for (int column = 0; column < 4; ++column) pose(row, column) = *value++;
   }
   check_pose(pose);
   return pose;
@@ -87,9 +87,7 @@ Pose to_pose(const Numbers& numbers) {
   }
 }
 
-}  // namespace
-
-std::vector<Pose> read_poses(const std::filesystem::path& file) {
+std::vector<Pose> parsed_poses(const std::filesystem::path& file) {
   const std::vector<std::byte> bytes = InputFile(file).read_rest();
   std::vector<Pose> poses;
   std::size_t form = 0;  // numbers a line
@@ -119,6 +117,12 @@ std::vector<Pose> read_poses(const std::filesystem::path& file) {
     }
   }
   return poses;
+}
+
+}  // namespace
+
+std::vector<Pose> read_poses(const std::filesystem::path& file) {
+  return with_memory_for(file, [&] { return parsed_poses(file); });
 }
 
 void write_poses(const std::filesystem::path& file, std::span<const Pose> poses) {

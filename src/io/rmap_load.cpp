@@ -1,3 +1,4 @@
+#include "io/memory.hpp"
 #include "io/rmap_blocks.hpp"
 #include "io/rmap_reader.hpp"
 #include "io/rmap_records.hpp"
@@ -139,9 +140,7 @@ Grid empty_grid(Options options, const LoadOptions& in_memory) {
   return Grid(options);
 }
 
-}  // namespace
-
-Grid load(const std::filesystem::path& file, const LoadOptions& options) {
+Grid loaded(const std::filesystem::path& file, const LoadOptions& options) {
   Walk walk(file);
   RmapReader& reader = walk.reader();
   std::optional<Grid> grid;
@@ -176,6 +175,12 @@ Grid load(const std::filesystem::path& file, const LoadOptions& options) {
   grid->restore(history, std::move(poses));
   grid->repack();
   return std::move(*grid);
+}
+
+}  // namespace
+
+Grid load(const std::filesystem::path& file, const LoadOptions& options) {
+  return with_memory_for(file, [&] { return loaded(file, options); });
 }
 
 MapFileInfo read_map_info(const std::filesystem::path& file) {
