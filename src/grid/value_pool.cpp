@@ -5,7 +5,7 @@
 
 namespace rmap {
 
-ValuePool::ValuePool() : pages_(kPageGranules * kGranule) { free_.fill(kNone); }
+ValuePool::ValuePool() : pages_(std::size_t{kPageGranules} * kGranule) { free_.fill(kNone); }
 
 ValuePool::Handle ValuePool::allocate(std::uint32_t count) {
   const std::uint32_t wanted = granules(count);

@@ -23,7 +23,7 @@ std::string name_of(const ChunkType& type) {
 
 std::vector<std::byte> encoded(const Header& header) {
   std::vector<std::byte> bytes;
-  for (const unsigned char byte : kMagic) bytes.push_back(std::byte{byte});
+  for (const unsigned char byte : kMagic) append(bytes, byte);
   append(bytes, header.version);
   append(bytes, kReserved);
   append(bytes, header.scans);

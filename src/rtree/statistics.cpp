@@ -9,6 +9,7 @@ namespace {
 
 void add_node(const NodePool& pool, std::uint32_t node, RTreeLevelStatistics& level) {
   std::vector<CellBox> boxes;
+  boxes.reserve(static_cast<std::size_t>(pool.count(node)));
   for (int i = 0; i < pool.count(node); ++i) boxes.push_back(pool.box(node, i));
   CellCount sum = 0;
   CellCount overlap = 0;

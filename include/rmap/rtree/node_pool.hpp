@@ -65,10 +65,11 @@ class NodePool {
   void set_box(std::uint32_t node, int branch, const CellBox& box);
   BranchColumns columns(std::uint32_t node) const {
     const std::int32_t* min = words(node) + 1;
-    const std::int32_t* max = edge_ > 0 ? min : min + 3 * max_branches_;
+    const std::ptrdiff_t column = max_branches_;
+    const std::int32_t* max = edge_ > 0 ? min : min + 3 * column;
     return {.count = count(node),
-            .min = {min, min + max_branches_, min + 2 * max_branches_},
-            .max = {max, max + max_branches_, max + 2 * max_branches_},
+            .min = {min, min + column, min + 2 * column},
+            .max = {max, max + column, max + 2 * column},
             .added = edge_};
   }
   /// The MBRC of the node, which has a branch.
