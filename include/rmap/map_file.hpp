@@ -12,6 +12,8 @@ namespace rmap {
 /// How a map is kept and worked on once it is loaded: the options that are no part
 /// of the map, and of which a map file therefore says nothing. As in `Options`.
 struct LoadOptions {
+  /// `cells` takes more memory and time: up to some 800 times the length of the file, where
+  /// `blocks` takes up to some 20 times (docs/formats/rmap.md).
   Layout layout = Layout::blocks;
   int max_branches = 16;
   Split split = Split::quadratic;
@@ -27,7 +29,8 @@ struct LoadOptions {
 void save(const Grid& grid, const std::filesystem::path& file);
 
 /// Reads what `save` wrote: the same map. The file may come from a stranger: every
-/// flipped bit, cut and addition is noticed, and memory is bounded by its length.
+/// flipped bit, cut and addition is noticed, and memory is bounded by its length, by a
+/// factor that the layout decides.
 /// Throws Error(input) when the content is not a sound map or needs a newer release,
 /// or when `options` do not fit together; Error(io) when it cannot be read.
 Grid load(const std::filesystem::path& file, const LoadOptions& options = {});
