@@ -75,7 +75,7 @@ TEST(SimulatedScans, AMovingObjectIsGoneAtTheEnd) {
 
 class SimulatedScene : public testing::TestWithParam<std::string_view> {};
 INSTANTIATE_TEST_SUITE_P(Scenes, SimulatedScene,
-                         testing::Values("box", "room", "stairs", "street", "moving"),
+                         testing::Values("box", "room", "stairs", "street", "moving", "campus"),
                          [](const auto& scene) { return std::string(scene.param); });
 
 // Both layouts, any order of points and the brute-force oracle agree bit for bit.
