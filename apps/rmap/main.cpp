@@ -47,8 +47,8 @@ void add_verbs(CLI::App& app) {
   add_convert(app);
 }
 
-int complain(int exit_code, const std::string& sentence) {
-  std::fprintf(stderr, "rmap: %s\n", sentence.c_str());
+int complain(int exit_code, const char* sentence) {
+  std::fprintf(stderr, "rmap: %s\n", sentence);
   return exit_code;
 }
 
@@ -85,15 +85,11 @@ int run(int argc, const char* const* argv) {
     flush_output();
     return kDone;
   } catch (const CLI::ParseError& error) {
-    return complain(kUsage, usage_sentence(app, error));
+    return complain(kUsage, usage_sentence(app, error).c_str());
   } catch (const UsageError& error) {
     return complain(kUsage, error.what());
   } catch (const Interrupted& interrupted) {
     return interrupted.exit_code;
-  } catch (const std::bad_alloc&) {
-    return complain(kFailed, "there is not enough memory");
-  } catch (const std::exception& error) {
-    return complain(kFailed, error.what());
   }
 }
 
@@ -101,4 +97,13 @@ int run(int argc, const char* const* argv) {
 
 }  // namespace rmap::command
 
-int main(int argc, char** argv) { return rmap::command::run(argc, argv); }
+int main(int argc, char** argv) {
+  using namespace rmap::command;
+  try {
+    return run(argc, argv);
+  } catch (const std::bad_alloc&) {
+    return complain(kFailed, "there is not enough memory");
+  } catch (const std::exception& error) {
+    return complain(kFailed, error.what());
+  }
+}
