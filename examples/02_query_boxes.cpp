@@ -10,7 +10,7 @@ int main() {
 
   // Where is room to park? In cuboids of 6 m along the kerb the mean over all cells says how full
   // a cuboid is, the largest probability whether there is anything in it at all.
-  for (double x = 0; x < 24; x += 6) {
+  for (const double x : {0, 6, 12, 18}) {
     const rmap::Box lot{.min = {x, -4.6, 0.3}, .max = {x + 6, -3.0, 1.5}};
     const rmap::BoxOccupancy found = rmap::box_occupancy(grid, lot);
     std::cout << "x from " << x << " to " << x + 6 << " m: mean " << found.mean << ", largest "

@@ -102,7 +102,7 @@ RunningCommand::RunningCommand(const fs::path& folder, const std::vector<std::st
 RunningCommand::~RunningCommand() {
   if (process_ > 0) {
     ::kill(process_, SIGKILL);
-    exit_code_of(process_);
+    ::waitpid(process_, nullptr, 0);
   }
   ::close(descriptor_);
 }
