@@ -1,9 +1,8 @@
 #include "counted_heap.hpp"
 
-#include <malloc.h>
-
 #include <atomic>
 #include <cstdlib>
+#include <malloc.h>
 #include <new>
 
 namespace rmap::bench {

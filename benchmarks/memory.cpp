@@ -5,6 +5,10 @@
 //
 // FOLDER holds sequences (folders of scans); without it the real data of the
 // tests (RMAP_DATA) and one simulated street are used. Prints a Markdown table.
+#include "counted_heap.hpp"
+#include "support/octomap_twin.hpp"
+#include "support/real_data.hpp"
+
 #include <algorithm>
 #include <cstring>
 #include <filesystem>
@@ -19,10 +23,6 @@
 #include <rmap/cells.hpp>
 #include <rmap/scan_source.hpp>
 #include <rmap/simulation.hpp>
-
-#include "counted_heap.hpp"
-#include "support/octomap_twin.hpp"
-#include "support/real_data.hpp"
 
 namespace {
 
@@ -96,8 +96,8 @@ void print_row(const Sequence& sequence, double resolution, bool with_octomap) {
   const auto per_cell = [](const RmapFigures& figures) {
     return static_cast<double>(figures.counted) / static_cast<double>(figures.cells);
   };
-  fmt::print("| {} | {} | {} | {:.2f} | {:.2f} | {:.3f} | {} | {} |", sequence.name,
-             complete.cells, complete.counted, per_cell(complete), per_cell(first),
+  fmt::print("| {} | {} | {} | {:.2f} | {:.2f} | {:.3f} | {} | {} |", sequence.name, complete.cells,
+             complete.counted, per_cell(complete), per_cell(first),
              static_cast<double>(complete.reported) / static_cast<double>(complete.counted),
              complete.occupied, first.occupied);
   if (with_octomap) {
@@ -128,7 +128,8 @@ int main(int argc, char** argv) {
   fmt::print("Resolution {} m; bytes counted at operator new; cells of complete history.\n\n",
              resolution);
   fmt::print(
-      "| sequence | cells | bytes | bytes/cell | bytes/cell first-hit | reported/counted | occupied "
+      "| sequence | cells | bytes | bytes/cell | bytes/cell first-hit | reported/counted | "
+      "occupied "
       "| occupied first-hit |{}\n",
       with_octomap ? " occupied OctoMap | bytes OctoMap | by the paper's formula | times less |"
                    : "");

@@ -26,9 +26,8 @@ int main() {
   // Fine near the robot, coarse far away, in one pass: cubes may grow with the distance
   // of their nearest point.
   const rmap::Vector3d robot(0, 0, 1);
-  const auto cuboids = rmap::cells_at(grid, [&](const rmap::Box& place) {
-    return 0.05 * (place.nearest(robot) - robot).norm();
-  });
+  const auto cuboids = rmap::cells_at(
+      grid, [&](const rmap::Box& place) { return 0.05 * (place.nearest(robot) - robot).norm(); });
   const auto [smallest, largest] = std::minmax_element(
       cuboids.begin(), cuboids.end(), [](const rmap::QueryCuboid& a, const rmap::QueryCuboid& b) {
         return a.box.extent().x() < b.box.extent().x();

@@ -62,8 +62,7 @@ template <class Target, class Parse>
 CLI::Option* add_parsed(CLI::App& app, const std::string& names, Target& target,
                         const std::string& help, Parse parse, std::string allowed,
                         const char* placeholder) {
-  const auto read = [names, &target, parse,
-                     allowed = std::move(allowed)](const std::string& text) {
+  const auto read = [names, &target, parse, allowed = std::move(allowed)](const std::string& text) {
     const auto value = parse(text);
     if (!value) throw CLI::ValidationError(refusal(names, text, allowed));
     target = *value;

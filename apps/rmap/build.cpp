@@ -212,7 +212,8 @@ void add_build(CLI::App& app) {
        .text =
            {"A folder of scans holds .bin files (KITTI: float32 x y z intensity) or .pcd files in "
             "the sensor's frame, and poses.txt with one pose a line, sensor to map: 12 numbers "
-            "(3x4 matrix by rows), 16, 7 (tx ty tz qx qy qz qw) or 8 (time first). One file of such a "
+            "(3x4 matrix by rows), 16, 7 (tx ty tz qx qy qz qw) or 8 (time first). One file of "
+            "such a "
             "folder is that scan alone. Several SCANS follow one another.",
             "The map does not depend on the order of points in a scan, --threads or --layout. "
             "Points that had no effect are counted by reason: points = inserted + cut + skipped.",

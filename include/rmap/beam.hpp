@@ -91,7 +91,9 @@ class BeamWalk {
   }
 
  private:
-  double exit() const { return std::fmin(leave_, std::fmin(next_[0], std::fmin(next_[1], next_[2]))); }
+  double exit() const {
+    return std::fmin(leave_, std::fmin(next_[0], std::fmin(next_[1], next_[2])));
+  }
   void step();
 
   const Beam* beam_;

@@ -54,9 +54,7 @@ class CellRange {
       return *this;
     }
     void operator++(int) { ++*this; }
-    friend bool operator==(const Iterator& a, std::default_sentinel_t) {
-      return a.at_end();
-    }
+    friend bool operator==(const Iterator& a, std::default_sentinel_t) { return a.at_end(); }
 
    private:
     bool at_end() const { return range_->batch_.empty(); }
@@ -83,8 +81,7 @@ class CellRange {
 
 /// The selected cells of a grid, as a range. Throws Error(input) when the box is
 /// empty or the radius is negative or not finite.
-CellRange cells(const Grid& grid, const CellSelection& selection = {},
-                Order order = Order::morton);
+CellRange cells(const Grid& grid, const CellSelection& selection = {}, Order order = Order::morton);
 
 /// use(cell, value) for each selected cell, in no order: the fastest way. `use`
 /// returns false to stop.

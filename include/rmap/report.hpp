@@ -10,7 +10,7 @@ struct SkippedPoints {
   std::uint64_t not_finite = 0;
   std::uint64_t too_near = 0;       ///< nearer than min_range
   std::uint64_t beyond_limits = 0;  ///< the end is beyond the limits of cell indices
-  std::uint64_t no_range = 0;       ///< no return, and neither max_range nor a sensor range is finite
+  std::uint64_t no_range = 0;  ///< no return, and neither max_range nor a sensor range is finite
 
   std::uint64_t total() const { return not_finite + too_near + beyond_limits + no_range; }
   SkippedPoints& operator+=(const SkippedPoints& other);
@@ -19,9 +19,9 @@ struct SkippedPoints {
 
 /// What an insertion did. Sums over scans by +=.
 struct InsertReport {
-  std::uint64_t points = 0;     ///< points and directions without return that came in
-  std::uint64_t inserted = 0;   ///< points that have an end cell
-  std::uint64_t cut = 0;        ///< beams cut at max_range or without return: they only clear
+  std::uint64_t points = 0;    ///< points and directions without return that came in
+  std::uint64_t inserted = 0;  ///< points that have an end cell
+  std::uint64_t cut = 0;       ///< beams cut at max_range or without return: they only clear
   SkippedPoints skipped = {};
   std::uint64_t end_cells = 0;  ///< different cells in which a beam ended
   std::uint64_t new_cells = 0;  ///< end cells that did not exist before

@@ -1,7 +1,7 @@
-#include <rmap/beam.hpp>
-
 #include <algorithm>
 #include <limits>
+
+#include <rmap/beam.hpp>
 
 namespace rmap {
 

@@ -1,10 +1,9 @@
-#include <rmap/lattice.hpp>
-
 #include <cmath>
 
 #include <fmt/format.h>
 
 #include <rmap/error.hpp>
+#include <rmap/lattice.hpp>
 
 namespace rmap {
 
@@ -51,11 +50,11 @@ Cell Lattice::cell_of(const Vector3d& point) const {
     throw Error(ErrorKind::limit, fmt::format("the point ({}, {}, {}) m is not finite", point.x(),
                                               point.y(), point.z()));
   }
-  throw Error(ErrorKind::limit,
-              fmt::format("the point ({}, {}, {}) m is beyond what a map can hold: at a resolution "
-                          "of {} m coordinates must lie within +-{:.15g} m",
-                          point.x(), point.y(), point.z(), resolution_,
-                          kMaxCellIndex * resolution_));
+  throw Error(
+      ErrorKind::limit,
+      fmt::format("the point ({}, {}, {}) m is beyond what a map can hold: at a resolution "
+                  "of {} m coordinates must lie within +-{:.15g} m",
+                  point.x(), point.y(), point.z(), resolution_, kMaxCellIndex * resolution_));
 }
 
 CellBox Lattice::cells_of(const Box& box) const {
@@ -67,9 +66,8 @@ CellBox Lattice::cells_of(const Box& box) const {
     const double low = snapped(box.min[axis] * inverse_);
     const double high = snapped(box.max[axis] * inverse_);
     if (!(low < high)) {
-      throw Error(ErrorKind::input,
-                  fmt::format("the box is empty: {} runs from {} to {} m", kAxisNames[axis],
-                              box.min[axis], box.max[axis]));
+      throw Error(ErrorKind::input, fmt::format("the box is empty: {} runs from {} to {} m",
+                                                kAxisNames[axis], box.min[axis], box.max[axis]));
     }
     for (const double border : {low, high}) {
       if (std::isfinite(border) && !(std::abs(border) <= -static_cast<double>(kMinCellIndex))) {

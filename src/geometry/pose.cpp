@@ -1,10 +1,9 @@
-#include <rmap/pose.hpp>
-
 #include <cmath>
 
 #include <fmt/format.h>
 
 #include <rmap/error.hpp>
+#include <rmap/pose.hpp>
 
 namespace rmap {
 
@@ -49,9 +48,9 @@ Pose make_pose(const Vector3d& translation, const Eigen::Quaterniond& rotation) 
   }
   const Eigen::Vector4d scaled = rotation.coeffs() / largest;
   // Summed by hand: Eigen's order depends on the width of the machine's registers.
-  const double norm = std::sqrt(((scaled[0] * scaled[0] + scaled[1] * scaled[1]) +
-                                 scaled[2] * scaled[2]) +
-                                scaled[3] * scaled[3]);
+  const double norm =
+      std::sqrt(((scaled[0] * scaled[0] + scaled[1] * scaled[1]) + scaled[2] * scaled[2]) +
+                scaled[3] * scaled[3]);
   Pose pose = Pose::Identity();
   pose.linear() = Eigen::Quaterniond(Eigen::Vector4d(scaled / norm)).toRotationMatrix();
   pose.translation() = translation;

@@ -1,6 +1,6 @@
-#include <rmap/scan_filter.hpp>
-
 #include <algorithm>
+
+#include <rmap/scan_filter.hpp>
 
 namespace rmap {
 

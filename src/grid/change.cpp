@@ -1,10 +1,10 @@
+#include "grid/implementation.hpp"
+
 #include <algorithm>
 
 #include <fmt/format.h>
 
 #include <rmap/error.hpp>
-
-#include "grid/implementation.hpp"
 
 namespace rmap {
 
@@ -22,10 +22,11 @@ void require_probability(double probability) {
 }
 
 [[noreturn]] void refuse_beyond_limits(const char* what, const Cell& place) {
-  throw Error(ErrorKind::limit,
-              fmt::format("the {} at ({}, {}, {}) is beyond the limits: indices of cells must lie in "
-                          "{} to {}",
-                          what, place.x(), place.y(), place.z(), kMinCellIndex, kMaxCellIndex));
+  throw Error(
+      ErrorKind::limit,
+      fmt::format("the {} at ({}, {}, {}) is beyond the limits: indices of cells must lie in "
+                  "{} to {}",
+                  what, place.x(), place.y(), place.z(), kMinCellIndex, kMaxCellIndex));
 }
 
 // The cells of a leaf that lie in `region`.
@@ -91,11 +92,11 @@ void Grid::set_value(const Cell& cell, Value value) {
 void Grid::set_block(const Cell& origin, const CellMask& cells, std::span<const Value> values) {
   if (!within_limits(origin)) refuse_beyond_limits("block", origin);
   if (origin != block_origin(origin) || values.size() != cells.count()) {
-    throw Error(ErrorKind::input,
-                fmt::format("the block at ({}, {}, {}) gets {} values for {} cells: it must start at "
-                            "multiples of {} and have one value for each cell",
-                            origin.x(), origin.y(), origin.z(), values.size(), cells.count(),
-                            kBlockEdge));
+    throw Error(
+        ErrorKind::input,
+        fmt::format("the block at ({}, {}, {}) gets {} values for {} cells: it must start at "
+                    "multiples of {} and have one value for each cell",
+                    origin.x(), origin.y(), origin.z(), values.size(), cells.count(), kBlockEdge));
   }
   Implementation& grid = *implementation_;
   grid.begin_mutation();
@@ -148,8 +149,8 @@ void Grid::track_flips(std::size_t cells) { implementation_->log.track_flips(cel
 Changes Grid::changes_since(std::uint64_t since) const {
   const Implementation& grid = *implementation_;
   if (since > revision()) {
-    throw Error(ErrorKind::usage, fmt::format("revision {} is in the future: the grid is at {}",
-                                              since, revision()));
+    throw Error(ErrorKind::usage,
+                fmt::format("revision {} is in the future: the grid is at {}", since, revision()));
   }
   Changes changes{.since = since, .revision = revision()};
   changes.blocks_complete = grid.log.knows_blocks_since(since);

@@ -1,10 +1,9 @@
-#include <rmap/grid.hpp>
+#include "grid/implementation.hpp"
 
 #include <algorithm>
 
 #include <rmap/error.hpp>
-
-#include "grid/implementation.hpp"
+#include <rmap/grid.hpp>
 
 namespace rmap {
 
@@ -105,9 +104,7 @@ BytesInUse Grid::bytes_in_use() const {
   return bytes;
 }
 
-RTreeStatistics Grid::rtree_statistics() const {
-  return implementation_->store->tree_statistics();
-}
+RTreeStatistics Grid::rtree_statistics() const { return implementation_->store->tree_statistics(); }
 
 void Grid::visit_leaves(const CellBox& region, FunctionRef<bool(const Leaf&)> visit) const {
   implementation_->store->visit(region, [&](LeafId, const Leaf& leaf) { return visit(leaf); });
@@ -159,7 +156,8 @@ bool same_map(const Grid& a, const Grid& b) {
   }
   bool same = true;
   a.visit_leaves(all_cells(), [&](const Leaf& leaf) {
-    leaf.for_each([&](const Cell& cell, Value value) { same = same && b.cell_value(cell) == value; });
+    leaf.for_each(
+        [&](const Cell& cell, Value value) { same = same && b.cell_value(cell) == value; });
     return same;
   });
   return same;

@@ -1,9 +1,9 @@
 #pragma once
 
-#include <rmap/grid.hpp>
-
 #include "grid/change_log.hpp"
 #include "grid/leaf_store.hpp"
+
+#include <rmap/grid.hpp>
 
 namespace rmap {
 

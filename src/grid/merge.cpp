@@ -1,8 +1,8 @@
+#include "grid/implementation.hpp"
+
 #include <fmt/format.h>
 
 #include <rmap/error.hpp>
-
-#include "grid/implementation.hpp"
 
 namespace rmap {
 

@@ -1,11 +1,10 @@
-#include <rmap/options.hpp>
-
 #include <cmath>
 
 #include <fmt/format.h>
 
 #include <rmap/error.hpp>
 #include <rmap/lattice.hpp>
+#include <rmap/options.hpp>
 #include <rmap/value.hpp>
 
 namespace rmap {
@@ -36,9 +35,10 @@ void require_below(const char* low_name, double low, const char* high_name, doub
 // An observation that moves no value would be lost.
 void require_step(const char* name, double probability, double prior) {
   if (step_of(probability, prior) == 0) {
-    refuse(fmt::format("{} is {} and prior is {}: the difference of their log-odds is 0 when rounded "
-                       "to 1/1000",
-                       name, probability, prior));
+    refuse(
+        fmt::format("{} is {} and prior is {}: the difference of their log-odds is 0 when rounded "
+                    "to 1/1000",
+                    name, probability, prior));
   }
 }
 
@@ -66,9 +66,10 @@ void check_probabilities(const Options& options) {
   require_step("prob_hit", options.prob_hit, options.prior);
   require_step("prob_miss", options.prob_miss, options.prior);
   if (!(options.prior <= options.occupied_threshold)) {
-    refuse(fmt::format("occupied_threshold is {} and prior is {}: a cell of which nothing is known "
-                       "must not be occupied, so the threshold must not be below the prior",
-                       options.occupied_threshold, options.prior));
+    refuse(
+        fmt::format("occupied_threshold is {} and prior is {}: a cell of which nothing is known "
+                    "must not be occupied, so the threshold must not be below the prior",
+                    options.occupied_threshold, options.prior));
   }
   if (!(options.free_probability >= 0 && options.free_probability <= 1)) {
     refuse(fmt::format("free_probability is {}: it must lie in 0 to 1", options.free_probability));

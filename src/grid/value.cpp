@@ -1,8 +1,8 @@
-#include <rmap/value.hpp>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
+
+#include <rmap/value.hpp>
 
 namespace rmap {
 
@@ -26,8 +26,7 @@ Value value_of(double probability) {
 double probability_of(Value value) { return 1 / (1 + std::exp(-value / kSteps)); }
 
 std::int32_t step_of(double probability, double prior) {
-  return static_cast<std::int32_t>(
-      std::round(kSteps * (log_odds(probability) - log_odds(prior))));
+  return static_cast<std::int32_t>(std::round(kSteps * (log_odds(probability) - log_odds(prior))));
 }
 
 UpdateRule::UpdateRule(const Options& options) {

@@ -1,8 +1,7 @@
-#include <rmap/box_query.hpp>
-
-#include <rmap/error.hpp>
-
 #include "query/occupancy_sum.hpp"
+
+#include <rmap/box_query.hpp>
+#include <rmap/error.hpp>
 
 namespace rmap {
 

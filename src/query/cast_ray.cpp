@@ -1,10 +1,9 @@
-#include <rmap/cast_ray.hpp>
-
 #include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
 
+#include <rmap/cast_ray.hpp>
 #include <rmap/error.hpp>
 
 namespace rmap {
@@ -21,9 +20,10 @@ Ray checked_ray(const Grid& grid, const Vector3d& origin, const Vector3d& direct
                 double max_range) {
   const double scale = direction.cwiseAbs().maxCoeff();
   if (!direction.allFinite() || scale == 0) {
-    throw Error(ErrorKind::input,
-                fmt::format("the direction of the ray is ({}, {}, {}): it must be finite and not zero",
-                            direction.x(), direction.y(), direction.z()));
+    throw Error(
+        ErrorKind::input,
+        fmt::format("the direction of the ray is ({}, {}, {}): it must be finite and not zero",
+                    direction.x(), direction.y(), direction.z()));
   }
   if (!(max_range >= 0)) {
     throw Error(ErrorKind::input,

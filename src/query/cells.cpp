@@ -1,10 +1,9 @@
-#include <rmap/cells.hpp>
-
 #include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
 
+#include <rmap/cells.hpp>
 #include <rmap/error.hpp>
 
 namespace rmap {
@@ -18,10 +17,11 @@ bool reaches(const Sphere& sphere, const Box& box) {
 
 void check_sphere(const Sphere& sphere) {
   if (sphere.center.allFinite() && sphere.radius >= 0 && std::isfinite(sphere.radius)) return;
-  throw Error(ErrorKind::input,
-              fmt::format("the sphere around ({}, {}, {}) m has the radius {} m: all must be finite "
-                          "and the radius not negative",
-                          sphere.center.x(), sphere.center.y(), sphere.center.z(), sphere.radius));
+  throw Error(
+      ErrorKind::input,
+      fmt::format("the sphere around ({}, {}, {}) m has the radius {} m: all must be finite "
+                  "and the radius not negative",
+                  sphere.center.x(), sphere.center.y(), sphere.center.z(), sphere.radius));
 }
 
 // Tests the cells of a grid against a selection.
@@ -132,11 +132,10 @@ std::size_t count_cells(const Grid& grid, const CellSelection& selection) {
 
 bool any_occupied(const Grid& grid, const Sphere& sphere) {
   bool found = false;
-  for_each_cell(grid, {.sphere = sphere, .occupied_only = true},
-                [&](const Cell&, Value) {
-                  found = true;
-                  return false;
-                });
+  for_each_cell(grid, {.sphere = sphere, .occupied_only = true}, [&](const Cell&, Value) {
+    found = true;
+    return false;
+  });
   return found;
 }
 

@@ -1,5 +1,3 @@
-#include <rmap/compare.hpp>
-
 #include <algorithm>
 #include <cmath>
 #include <vector>
@@ -7,16 +5,18 @@
 #include <fmt/format.h>
 
 #include <rmap/cells.hpp>
+#include <rmap/compare.hpp>
 #include <rmap/error.hpp>
 
 namespace rmap {
 
 MapDifference compare(const Grid& a, const Grid& b) {
   if (a.options().resolution != b.options().resolution) {
-    throw Error(ErrorKind::input,
-                fmt::format("the maps cannot be compared cell by cell: their resolutions are {} and "
-                            "{} m",
-                            a.options().resolution, b.options().resolution));
+    throw Error(
+        ErrorKind::input,
+        fmt::format("the maps cannot be compared cell by cell: their resolutions are {} and "
+                    "{} m",
+                    a.options().resolution, b.options().resolution));
   }
   MapDifference difference;
   a.visit_leaves(all_cells(), [&](const Leaf& leaf) {
@@ -82,7 +82,8 @@ CloudComparison compare_with_cloud(const Grid& grid, std::span<const Vector3f> p
     return grid.cell_state(cell) == State::occupied;
   });
   result.cells_without_point = grid.cell_count() - existing.size();
-  result.occupied_without_point = count_cells(grid, {.occupied_only = true}) - static_cast<std::size_t>(occupied);
+  result.occupied_without_point =
+      count_cells(grid, {.occupied_only = true}) - static_cast<std::size_t>(occupied);
   return result;
 }
 

@@ -1,4 +1,4 @@
-#include <rmap/multiresolution.hpp>
+#include "query/occupancy_sum.hpp"
 
 #include <algorithm>
 #include <bit>
@@ -8,8 +8,7 @@
 
 #include <rmap/cells.hpp>
 #include <rmap/error.hpp>
-
-#include "query/occupancy_sum.hpp"
+#include <rmap/multiresolution.hpp>
 
 namespace rmap {
 
@@ -76,9 +75,9 @@ class CubeSplitter {
     for (int octant = 0; octant < 8; ++octant) {
       const Cell corner = origin + half * Cell(octant & 1, (octant >> 1) & 1, octant >> 2);
       const CellBox part{.min = corner, .max = corner + Cell::Constant(half)};
-      const auto end = std::partition_point(
-          content.begin(), content.end(),
-          [&](const CellValue& entry) { return part.contains(entry.cell); });
+      const auto end =
+          std::partition_point(content.begin(), content.end(),
+                               [&](const CellValue& entry) { return part.contains(entry.cell); });
       const auto count = static_cast<std::size_t>(end - content.begin());
       split(corner, half, content.first(count));
       content = content.subspan(count);
@@ -111,9 +110,9 @@ class CubeSplitter {
 
 Grid coarsen(const Grid& grid, int factor, Criterion criterion) {
   if (factor < 1) {
-    throw Error(ErrorKind::input,
-                fmt::format("the map cannot be coarsened {} times: the factor must be at least 1",
-                            factor));
+    throw Error(
+        ErrorKind::input,
+        fmt::format("the map cannot be coarsened {} times: the factor must be at least 1", factor));
   }
   Options options = grid.options();
   options.resolution = multiplied(options.resolution, factor);

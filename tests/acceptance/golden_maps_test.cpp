@@ -1,10 +1,10 @@
 // One hash a scene, whatever the compiler, its flags, the layout or the threads.
 // A change here is a change of the definition of a map.
+#include "support/grids.hpp"
+
 #include <gtest/gtest.h>
 
 #include <rmap/simulation.hpp>
-
-#include "support/grids.hpp"
 
 namespace rmap {
 namespace {
@@ -18,8 +18,10 @@ struct Golden {
 class GoldenMaps : public testing::TestWithParam<Golden> {};
 
 INSTANTIATE_TEST_SUITE_P(Scenes, GoldenMaps,
-                         testing::Values(Golden{"room", 4, 6839451523328740863u}, Golden{"stairs", 4, 15631339054859786572u},
-                                         Golden{"street", 3, 15227087611214318337u}, Golden{"moving", 6, 3226270312738833926u}),
+                         testing::Values(Golden{"room", 4, 6839451523328740863u},
+                                         Golden{"stairs", 4, 15631339054859786572u},
+                                         Golden{"street", 3, 15227087611214318337u},
+                                         Golden{"moving", 6, 3226270312738833926u}),
                          [](const auto& golden) { return std::string(golden.param.scene); });
 
 TEST_P(GoldenMaps, HaveTheirHashInEveryLayoutAndWithAnyThreads) {

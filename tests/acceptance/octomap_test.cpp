@@ -1,5 +1,9 @@
 // Against liboctomap with the same float32 points and parameters: complete history
 // gives its occupied cells, first-hit history those and a few more.
+#include "support/octomap_twin.hpp"
+#include "support/real_data.hpp"
+#include "support/scans.hpp"
+
 #include <algorithm>
 #include <tuple>
 
@@ -8,10 +12,6 @@
 #include <rmap/cells.hpp>
 #include <rmap/grid.hpp>
 #include <rmap/scan_source.hpp>
-
-#include "support/octomap_twin.hpp"
-#include "support/real_data.hpp"
-#include "support/scans.hpp"
 
 namespace rmap {
 namespace {
@@ -36,7 +36,8 @@ class AgainstOctoMap : public testing::TestWithParam<std::tuple<std::string, dou
       scans_.push_back(test::in_map_frame(scan));
       points += scan.points.size();
     }
-    const std::size_t stride = resolution < 0.2 ? std::max<std::size_t>(1, points / kBeamsAtFine) : 1;
+    const std::size_t stride =
+        resolution < 0.2 ? std::max<std::size_t>(1, points / kBeamsAtFine) : 1;
     for (Scan& scan : scans_) {
       scan = test::thinned(scan, stride);
       beams_ += scan.points.size();
@@ -134,8 +135,7 @@ TEST_P(AgainstOctoMap, OccupiedCellsAreTheSame) {
   RecordProperty("beams", static_cast<int>(beams_));
   RecordProperty("occupied", static_cast<int>(theirs.size()));
   RecordProperty("different", static_cast<int>(different.size()));
-  RecordProperty("more_with_first_hit",
-                 static_cast<int>(missing(with_first_hit, theirs).size()));
+  RecordProperty("more_with_first_hit", static_cast<int>(missing(with_first_hit, theirs).size()));
 }
 
 }  // namespace

@@ -1,4 +1,9 @@
 // Real scans: both layouts, shuffled points and the brute-force oracle agree bit for bit.
+#include "support/grids.hpp"
+#include "support/plain_grid.hpp"
+#include "support/real_data.hpp"
+#include "support/scans.hpp"
+
 #include <algorithm>
 #include <set>
 
@@ -6,11 +11,6 @@
 
 #include <rmap/grid.hpp>
 #include <rmap/scan_source.hpp>
-
-#include "support/grids.hpp"
-#include "support/plain_grid.hpp"
-#include "support/real_data.hpp"
-#include "support/scans.hpp"
 
 namespace rmap {
 namespace {

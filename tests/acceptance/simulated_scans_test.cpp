@@ -1,14 +1,14 @@
 // Scenes whose truth is known: what is there is occupied, and nothing else.
+#include "support/grids.hpp"
+#include "support/plain_grid.hpp"
+#include "support/scans.hpp"
+
 #include <algorithm>
 
 #include <gtest/gtest.h>
 
 #include <rmap/cells.hpp>
 #include <rmap/simulation.hpp>
-
-#include "support/grids.hpp"
-#include "support/plain_grid.hpp"
-#include "support/scans.hpp"
 
 namespace rmap {
 namespace {

@@ -201,9 +201,10 @@ TEST_F(Query, CountsAreIntegers) {
 
 TEST_F(Query, TablesBeginWithTheirFirstRow) {
   EXPECT_THAT(rmap_done({"query", "map.rmap", "point", "1,2,3"}).out, HasSubstr("probability"));
-  for (const std::vector<std::string>& request :
-       {std::vector<std::string>{"point", "1e300,0,0"}, {"cast", "0,0,0", "0,0,0"},
-        {"box", "0,0,0,0,1,1"}, {"cells", "--box", "0,0,0,0,1,1"}}) {
+  for (const std::vector<std::string>& request : {std::vector<std::string>{"point", "1e300,0,0"},
+                                                  {"cast", "0,0,0", "0,0,0"},
+                                                  {"box", "0,0,0,0,1,1"},
+                                                  {"cells", "--box", "0,0,0,0,1,1"}}) {
     std::vector<std::string> call{"query", "map.rmap"};
     call.insert(call.end(), request.begin(), request.end());
     EXPECT_EQ(rmap(call).out, "");

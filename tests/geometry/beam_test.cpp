@@ -1,11 +1,11 @@
-#include <rmap/beam.hpp>
+#include "support/nasty_beams.hpp"
+#include "support/plain_crossing.hpp"
 
 #include <algorithm>
 
 #include <gtest/gtest.h>
 
-#include "support/nasty_beams.hpp"
-#include "support/plain_crossing.hpp"
+#include <rmap/beam.hpp>
 
 namespace rmap {
 namespace {
@@ -60,8 +60,8 @@ TEST_P(NastyBeams, WalkAndCrossingEqualTheDefinition) {
   for (int i = 0; i < 300 && !HasFailure(); ++i) {
     const BeamEnds ends = nasty_beam(kind, random, 6);
     const Beam beam(ends.origin, ends.end, random.chance(0.5));
-    SCOPED_TRACE(testing::Message() << "from " << ends.origin.transpose() << " to "
-                                    << ends.end.transpose());
+    SCOPED_TRACE(testing::Message()
+                 << "from " << ends.origin.transpose() << " to " << ends.end.transpose());
     expect_agreement(beam, around(Vector3d::Zero(), 14));
     crossed += walked(beam, around(Vector3d::Zero(), 14)).size();
     ++cases;

@@ -1,10 +1,10 @@
-#include <rmap/cell.hpp>
+#include "support/random.hpp"
 
 #include <bitset>
 
 #include <gtest/gtest.h>
 
-#include "support/random.hpp"
+#include <rmap/cell.hpp>
 
 namespace rmap {
 namespace {

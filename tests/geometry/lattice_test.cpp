@@ -1,5 +1,3 @@
-#include <rmap/lattice.hpp>
-
 #include <cmath>
 #include <limits>
 
@@ -7,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <rmap/error.hpp>
+#include <rmap/lattice.hpp>
 
 namespace rmap {
 namespace {
@@ -56,8 +55,11 @@ TEST(Lattice, NamesPointsThatDoNotFit) {
     }
   }
   // As people write it, not 107374182.30000001.
-  EXPECT_THAT(refusal([] { static_cast<void>(Lattice(0.1).cell_of({1e9, 0, 0})); },
-                      ErrorKind::limit),
+  EXPECT_THAT(refusal(
+                  [] {
+                    static_cast<void>(Lattice(0.1).cell_of({1e9, 0, 0}));
+                  },
+                  ErrorKind::limit),
               testing::EndsWith("+-107374182.3 m"));
 }
 
@@ -77,7 +79,8 @@ TEST(LatticeBox, DecimalBordersMeanWhatPeopleMean) {
 
 TEST(LatticeBox, MeansTheCellsThatItOverlaps) {
   const Lattice lattice(0.1);
-  const CellBox cells = lattice.cells_of({.min = {0.05, -0.31, 0.3}, .max = {0.06, -0.3, 0.600001}});
+  const CellBox cells =
+      lattice.cells_of({.min = {0.05, -0.31, 0.3}, .max = {0.06, -0.3, 0.600001}});
   EXPECT_EQ(cells.min, Cell(0, -4, 3));
   EXPECT_EQ(cells.max, Cell(1, -3, 7));
   // 1e-6 of a cell still snaps, more does not.

@@ -1,4 +1,4 @@
-#include <rmap/pose.hpp>
+#include "support/scans.hpp"
 
 #include <limits>
 
@@ -6,8 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <rmap/error.hpp>
-
-#include "support/scans.hpp"
+#include <rmap/pose.hpp>
 
 namespace rmap {
 namespace {

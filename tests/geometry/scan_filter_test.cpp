@@ -1,11 +1,11 @@
-#include <rmap/scan_filter.hpp>
+#include "support/random.hpp"
+#include "support/scans.hpp"
 
 #include <limits>
 
 #include <gtest/gtest.h>
 
-#include "support/random.hpp"
-#include "support/scans.hpp"
+#include <rmap/scan_filter.hpp>
 
 namespace rmap {
 namespace {
@@ -17,9 +17,9 @@ constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
 TEST(ScanFilter, TakesOutWhatIsIgnoredOrOutsideTheCrop) {
   Random random(83);
   SCOPED_TRACE(random.trace());
-  const ScanFilter filter{.ignore = {{.min = {-1, -1, -1}, .max = {1, 1, 1}},
-                                     {.min = {2, -3, -3}, .max = {3, 3, 3}}},
-                          .crop = Box{.min = {-4, -3, -2}, .max = {4, 5, 6}}};
+  const ScanFilter filter{
+      .ignore = {{.min = {-1, -1, -1}, .max = {1, 1, 1}}, {.min = {2, -3, -3}, .max = {3, 3, 3}}},
+      .crop = Box{.min = {-4, -3, -2}, .max = {4, 5, 6}}};
   ScanFilter::Counts counts;
   ScanFilter::Counts expected;
   std::size_t kept = 0;

@@ -1,4 +1,5 @@
-#include <rmap/grid.hpp>
+#include "support/plain_grid.hpp"
+#include "support/scans.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -10,9 +11,7 @@
 #include <gtest/gtest.h>
 
 #include <rmap/error.hpp>
-
-#include "support/plain_grid.hpp"
-#include "support/scans.hpp"
+#include <rmap/grid.hpp>
 
 namespace rmap {
 namespace {
@@ -49,17 +48,16 @@ TEST_P(ChangeInLayout, SetEraseAndPruneEqualAPlainMap) {
   for (int step = 0; step < 1500; ++step) {
     const int action = random.integer(0, 99);
     if (action < 80) {
-      const Cell cell = random.chance(0.02) ? Cell(random.cell(0, 1) * kMaxCellIndex)
-                                            : random.cell(-20, 20);
+      const Cell cell =
+          random.chance(0.02) ? Cell(random.cell(0, 1) * kMaxCellIndex) : random.cell(-20, 20);
       const double p = random.real(0, 1);
       grid.set(cell, p);
       plain[cell] = grid.rule().clamped(value_of(p));
     } else if (action < 95) {
       const CellBox box = random.box(-20, 20, 12);
       const std::size_t count = grid.erase_cells(box);
-      EXPECT_EQ(count, std::erase_if(plain, [&](const auto& entry) {
-                  return box.contains(entry.first);
-                }));
+      EXPECT_EQ(count,
+                std::erase_if(plain, [&](const auto& entry) { return box.contains(entry.first); }));
       erased += static_cast<int>(count);
     } else {
       const double p = random.real(0, 0.4);
@@ -149,11 +147,21 @@ TEST_P(ChangeInLayout, ChangesSinceKeepAFollowerInStep) {
   for (int step = 0; step < 300; ++step) {
     for (int i = random.integer(0, 2); i >= 0; --i) {
       switch (random.integer(0, 4)) {
-        case 0: grid.insert(test::random_scan(random, 30, 6)); break;
-        case 1: grid.prepare(test::random_scan(random, 10, 6)); break;
-        case 2: grid.set(random.cell(-12, 12), random.real(0, 1)); break;
-        case 3: grid.erase_cells(random.box(-12, 12, 6)); break;
-        default: grid.prune(random.real(0, 0.3)); break;
+        case 0:
+          grid.insert(test::random_scan(random, 30, 6));
+          break;
+        case 1:
+          grid.prepare(test::random_scan(random, 10, 6));
+          break;
+        case 2:
+          grid.set(random.cell(-12, 12), random.real(0, 1));
+          break;
+        case 3:
+          grid.erase_cells(random.box(-12, 12, 6));
+          break;
+        default:
+          grid.prune(random.real(0, 0.3));
+          break;
       }
     }
     const Changes changes = grid.changes_since(seen);

@@ -1,12 +1,11 @@
-#include <rmap/crop.hpp>
+#include "support/grids.hpp"
 
 #include <limits>
 
 #include <gtest/gtest.h>
 
+#include <rmap/crop.hpp>
 #include <rmap/error.hpp>
-
-#include "support/grids.hpp"
 
 namespace rmap {
 namespace {

@@ -1,8 +1,8 @@
-#include <rmap/grid.hpp>
+#include "support/grids.hpp"
 
 #include <gtest/gtest.h>
 
-#include "support/grids.hpp"
+#include <rmap/grid.hpp>
 
 namespace rmap {
 namespace {
@@ -18,8 +18,8 @@ TEST(Grid, BlockBoundsAreTheBlocksAroundTheBoundsInBothLayouts) {
     EXPECT_TRUE(blocks.block_bounds().empty());
     EXPECT_TRUE(cells.block_bounds().empty());
     for (int i = random.integer(1, 20); i > 0; --i) {
-      const Cell cell = random.chance(0.05) ? Cell(random.cell(-1, 0) * kMaxCellIndex)
-                                            : random.cell(-30, 30);
+      const Cell cell =
+          random.chance(0.05) ? Cell(random.cell(-1, 0) * kMaxCellIndex) : random.cell(-30, 30);
       blocks.set(cell, 0.9);
       cells.set(cell, 0.9);
     }

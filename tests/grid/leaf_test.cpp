@@ -1,10 +1,10 @@
-#include <rmap/leaf.hpp>
+#include "support/random.hpp"
 
 #include <set>
 
 #include <gtest/gtest.h>
 
-#include "support/random.hpp"
+#include <rmap/leaf.hpp>
 
 namespace rmap {
 namespace {

@@ -1,11 +1,10 @@
-#include <rmap/grid.hpp>
+#include "support/scans.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <rmap/error.hpp>
-
-#include "support/scans.hpp"
+#include <rmap/grid.hpp>
 
 namespace rmap {
 namespace {

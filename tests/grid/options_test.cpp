@@ -1,5 +1,3 @@
-#include <rmap/options.hpp>
-
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -9,6 +7,7 @@
 
 #include <rmap/error.hpp>
 #include <rmap/grid.hpp>
+#include <rmap/options.hpp>
 
 namespace rmap {
 namespace {
@@ -41,9 +40,11 @@ TEST(CheckOptions, NamesTheFieldThatDoesNotFit) {
       {[](Options& o) { o.prob_miss = 0; }, "prob_miss is 0"},
       {[](Options& o) { o.clamp_min = 0.6; }, "clamp_min must be below prior"},
       {[](Options& o) { o.clamp_max = 0.4; }, "prior must be below clamp_max"},
-      {[](Options& o) { o.clamp_max = 1 - 1e-16; }, "clamp_max is 0.9999999999999999: its log-odds"},
+      {[](Options& o) { o.clamp_max = 1 - 1e-16; },
+       "clamp_max is 0.9999999999999999: its log-odds"},
       {[](Options& o) { o.prior = 0; }, "prior is 0"},
-      {[](Options& o) { o.occupied_threshold = 0.4; }, "occupied_threshold is 0.4 and prior is 0.5"},
+      {[](Options& o) { o.occupied_threshold = 0.4; },
+       "occupied_threshold is 0.4 and prior is 0.5"},
       {[](Options& o) { o.occupied_threshold = 1; }, "occupied_threshold is 1"},
       {[](Options& o) { o.free_probability = -0.1; }, "free_probability is -0.1"},
       {[&](Options& o) { o.free_probability = nan; }, "free_probability is nan"},
@@ -71,10 +72,9 @@ TEST(CheckOptions, RefusesObservationsThatMoveNothing) {
   Options hit{.resolution = 0.1, .occupied_threshold = 0.6};
   hit.prior = probability(0.00049);
   hit.prob_hit = probability(0.00051);
-  EXPECT_THAT(refusal(hit),
-              testing::AllOf(testing::HasSubstr("prob_hit is 0.50012"),
-                             testing::HasSubstr("prior is 0.50012"),
-                             testing::HasSubstr("log-odds is 0 when rounded")));
+  EXPECT_THAT(refusal(hit), testing::AllOf(testing::HasSubstr("prob_hit is 0.50012"),
+                                           testing::HasSubstr("prior is 0.50012"),
+                                           testing::HasSubstr("log-odds is 0 when rounded")));
   Options miss{.resolution = 0.1, .occupied_threshold = 0.6};
   miss.prior = probability(0.00051);
   miss.prob_miss = probability(0.00049);
@@ -85,8 +85,12 @@ TEST(CheckOptions, RefusesObservationsThatMoveNothing) {
 }
 
 TEST(UpdateRule, MovesValuesAsTheFormulaOfProbabilities) {
-  const Options options{.resolution = 1, .prob_hit = 0.8, .prob_miss = 0.3, .clamp_min = 0.01,
-                        .clamp_max = 0.99, .prior = 0.4};
+  const Options options{.resolution = 1,
+                        .prob_hit = 0.8,
+                        .prob_miss = 0.3,
+                        .clamp_min = 0.01,
+                        .clamp_max = 0.99,
+                        .prior = 0.4};
   const UpdateRule rule(options);
   // [RMAP 2.2]: P = 1 / (1 + (1-Pz)/Pz * (1-P)/P * prior/(1-prior))
   const auto updated = [&](double p, double pz) {

@@ -1,11 +1,11 @@
 #include "grid/value_pool.hpp"
 
+#include "support/random.hpp"
+
 #include <algorithm>
 #include <vector>
 
 #include <gtest/gtest.h>
-
-#include "support/random.hpp"
 
 namespace rmap {
 namespace {
@@ -36,8 +36,9 @@ TEST(ValuePool, RunsKeepTheirContent) {
       live += run.content.size();
       runs.push_back(std::move(run));
     } else {
-      std::swap(runs[static_cast<std::size_t>(random.integer(0, static_cast<int>(runs.size()) - 1))],
-                runs.back());
+      std::swap(
+          runs[static_cast<std::size_t>(random.integer(0, static_cast<int>(runs.size()) - 1))],
+          runs.back());
       ASSERT_TRUE(holds(pool, runs.back()));
       pool.release(runs.back().handle, static_cast<std::uint32_t>(runs.back().content.size()));
       live -= runs.back().content.size();

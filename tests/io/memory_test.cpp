@@ -22,9 +22,8 @@ TEST(WithMemoryFor, names_the_file_that_does_not_fit) {
 
 TEST(WithMemoryFor, passes_results_and_other_errors) {
   EXPECT_EQ(with_memory_for("a.bin", [] { return 7; }), 7);
-  expect_error(ErrorKind::input, "no", [] {
-    with_memory_for("a.bin", [] { throw Error(ErrorKind::input, "no"); });
-  });
+  expect_error(ErrorKind::input, "no",
+               [] { with_memory_for("a.bin", [] { throw Error(ErrorKind::input, "no"); }); });
 }
 
 }  // namespace

@@ -1,11 +1,10 @@
-#include <rmap/box_query.hpp>
+#include "support/grids.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <rmap/box_query.hpp>
 #include <rmap/error.hpp>
-
-#include "support/grids.hpp"
 
 namespace rmap {
 namespace {
@@ -113,7 +112,7 @@ TEST(PointQueries, AnswerManyPointsAsTheyAnswerOne) {
   for (std::size_t i = 0; i < points.size(); ++i) {
     const Cell cell = grid.lattice().cell_of(points[i]);
     const auto value = grid.cell_value(cell);
-    const State expected = !value                          ? State::assumed_free
+    const State expected = !value                         ? State::assumed_free
                            : grid.rule().occupied(*value) ? State::occupied
                                                           : State::free;
     ASSERT_EQ(all_states[i], expected);

@@ -1,14 +1,13 @@
-#include <rmap/cast_ray.hpp>
+#include "support/grids.hpp"
+#include "support/nasty_beams.hpp"
 
 #include <limits>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <rmap/cast_ray.hpp>
 #include <rmap/error.hpp>
-
-#include "support/grids.hpp"
-#include "support/nasty_beams.hpp"
 
 namespace rmap {
 namespace {
@@ -38,8 +37,8 @@ TEST_P(CastRayInLayout, FindsTheFirstOccupiedCellOfTheWalk) {
   int hits = 0;
   int misses = 0;
   for (int round = 0; round < 10; ++round) {
-    const Grid grid =
-        test::clustered_grid(random, {.resolution = 0.5, .layout = GetParam(), .max_branches = 4}, 12);
+    const Grid grid = test::clustered_grid(
+        random, {.resolution = 0.5, .layout = GetParam(), .max_branches = 4}, 12);
     for (int i = 0; i < 300; ++i) {
       const auto kind = static_cast<BeamKind>(random.integer(0, test::kBeamKinds - 1));
       const test::BeamEnds ends = nasty_beam(kind, random, 16);
@@ -49,8 +48,7 @@ TEST_P(CastRayInLayout, FindsTheFirstOccupiedCellOfTheWalk) {
       // The end as cast_ray computes it: scaled, normalised, and as long as the range.
       const Vector3d scaled = along / along.cwiseAbs().maxCoeff();
       const double range = along.norm();
-      const auto expected =
-          walked_hit(grid, origin, origin + scaled / scaled.norm() * range);
+      const auto expected = walked_hit(grid, origin, origin + scaled / scaled.norm() * range);
       // The range must end the ray before the map's bounds do, to be the same beam.
       const auto hit = cast_ray(grid, origin, along, range);
       const Box bounds = grid.lattice().metric(grid.block_bounds());
@@ -64,8 +62,7 @@ TEST_P(CastRayInLayout, FindsTheFirstOccupiedCellOfTheWalk) {
         ASSERT_LE(hit->distance, range);
         // The point of entry lies on the cell, on the face that is named.
         const Box box = grid.lattice().metric(box_of(hit->cell));
-        const Vector3d outside =
-            (box.min - hit->point).cwiseMax(hit->point - box.max).cwiseMax(0);
+        const Vector3d outside = (box.min - hit->point).cwiseMax(hit->point - box.max).cwiseMax(0);
         ASSERT_LT(outside.norm(), 1e-9);
         if (hit->face == Face::none) {
           ASSERT_EQ(hit->distance, 0);

@@ -1,13 +1,12 @@
-#include <rmap/cells.hpp>
+#include "support/grids.hpp"
 
 #include <algorithm>
 #include <limits>
 
 #include <gtest/gtest.h>
 
+#include <rmap/cells.hpp>
 #include <rmap/error.hpp>
-
-#include "support/grids.hpp"
 
 namespace rmap {
 namespace {
@@ -32,8 +31,8 @@ INSTANTIATE_TEST_SUITE_P(Layouts, CellsInLayout, testing::Values(Layout::blocks,
 TEST_P(CellsInLayout, SelectionsEqualAFilterOverAllCells) {
   Random random(34);
   SCOPED_TRACE(random.trace());
-  const Grid grid =
-      test::clustered_grid(random, {.resolution = 0.25, .layout = GetParam(), .max_branches = 6}, 15);
+  const Grid grid = test::clustered_grid(
+      random, {.resolution = 0.25, .layout = GetParam(), .max_branches = 6}, 15);
   const auto all = test::all_cell_values(grid);
   int filled = 0;
   for (int i = 0; i < 300; ++i) {

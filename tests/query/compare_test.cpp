@@ -1,4 +1,4 @@
-#include <rmap/compare.hpp>
+#include "support/grids.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -6,9 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include <rmap/compare.hpp>
 #include <rmap/error.hpp>
-
-#include "support/grids.hpp"
 
 namespace rmap {
 namespace {

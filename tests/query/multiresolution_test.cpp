@@ -1,4 +1,4 @@
-#include <rmap/multiresolution.hpp>
+#include "support/grids.hpp"
 
 #include <cmath>
 #include <string>
@@ -7,8 +7,7 @@
 
 #include <rmap/compare.hpp>
 #include <rmap/error.hpp>
-
-#include "support/grids.hpp"
+#include <rmap/multiresolution.hpp>
 
 namespace rmap {
 namespace {
@@ -130,7 +129,8 @@ TEST(CellsAt, CoversEachCellOnceAtTheSizeOfThePlace) {
       ASSERT_TRUE((cuboid.box.extent().array() == edge).all());
       ASSERT_EQ(edge & (edge - 1), 0);
       ASSERT_TRUE((cuboid.box.min.cast<std::int64_t>().array().unaryExpr(
-                       [&](std::int64_t index) { return index & (edge - 1); }) == 0).all());
+                       [&](std::int64_t index) { return index & (edge - 1); }) == 0)
+                      .all());
       const auto wanted = [&](const CellBox& box) { return edge_in(grid.lattice().metric(box)); };
       ASSERT_TRUE(edge == 1 || static_cast<double>(edge) * 0.25 <= wanted(cuboid.box) * (1 + 1e-9));
       // Only the first cube of an octant of the axes has no parent.
@@ -158,8 +158,8 @@ TEST(CellsAt, IsFineNearTheCentreAndCoarseFarAway) {
   Grid grid = test::clustered_grid(random, {.resolution = 0.25}, 59);
   grid.set({0, 0, 0}, 0.9);  // holds the centre
   for (const double growth : {0.05, 0.5, 1.2, 3.0, 1e6}) {
-    const auto cuboids = cells_at(
-        grid, [&](const Box& place) { return growth * distance_from_center(place); });
+    const auto cuboids =
+        cells_at(grid, [&](const Box& place) { return growth * distance_from_center(place); });
     std::int64_t at_center = 0;
     std::int64_t largest = 0;
     for (const QueryCuboid& cuboid : cuboids) {

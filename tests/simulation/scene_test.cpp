@@ -349,7 +349,11 @@ TEST(Scene, refuses_objects_that_make_no_sense_by_name_and_field) {
   expect_refused(with_shape(RectangleShape{.size_x = 0, .size_y = 1}), "size_x");
   expect_refused(with_shape(RectangleShape{.size_x = 1, .size_y = nan}), "size_y");
   expect_refused([](SceneObject& object) { object.map_from_object(0, 0) = 2; }, "map_from_object");
-  expect_refused([](SceneObject& object) { object.motion = {{.time = 1}, {.time = 1}}; }, "waypoint 1");
+  expect_refused(
+      [](SceneObject& object) {
+        object.motion = {{.time = 1}, {.time = 1}};
+      },
+      "waypoint 1");
   expect_refused([&](SceneObject& object) { object.motion = {{.time = nan}}; }, "waypoint 0");
   expect_refused([&](SceneObject& object) { object.visible_from = nan; }, "visible_from");
   expect_refused([](SceneObject& object) { object.visible_from = object.visible_until = 3; },

@@ -20,8 +20,8 @@ Grid clustered_grid(Random& random, const Options& options, int reach) {
   for (int cluster = 0; cluster < 12; ++cluster) {
     const Cell center = random.cell(-reach, reach);
     for (int i = 0; i < 60; ++i) {
-      grid.set(center + random.cell(-4, 4), random.chance(0.6) ? random.real(0.5, 1)
-                                                               : random.real(0, 0.5));
+      grid.set(center + random.cell(-4, 4),
+               random.chance(0.6) ? random.real(0.5, 1) : random.real(0, 0.5));
     }
   }
   return grid;

@@ -1,10 +1,10 @@
 #pragma once
 
+#include "support/random.hpp"
+
 #include <vector>
 
 #include <rmap/grid.hpp>
-
-#include "support/random.hpp"
 
 namespace rmap::test {
 

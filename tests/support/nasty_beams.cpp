@@ -13,8 +13,8 @@ double on_lattice(double value) { return std::round(value); }
 
 std::string name_of(BeamKind kind) {
   constexpr const char* kNames[kBeamKinds] = {
-      "random",       "axis_parallel", "in_face",        "along_edge",
-      "through_corners", "on_lattice", "half_lattice",   "zero_length",
+      "random",          "axis_parallel",   "in_face",      "along_edge",
+      "through_corners", "on_lattice",      "half_lattice", "zero_length",
       "tiny_component",  "origin_on_plane", "end_on_plane", "short_beam"};
   return kNames[static_cast<int>(kind)];
 }

@@ -1,11 +1,11 @@
 #pragma once
 
+#include "support/random.hpp"
+
 #include <string>
 #include <vector>
 
 #include <rmap/box.hpp>
-
-#include "support/random.hpp"
 
 namespace rmap::test {
 

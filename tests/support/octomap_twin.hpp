@@ -1,12 +1,12 @@
 #pragma once
 
+#include "support/plain_grid.hpp"
+
 #include <set>
 
 #include <octomap/octomap.h>
 
 #include <rmap/scan.hpp>
-
-#include "support/plain_grid.hpp"
 
 namespace rmap::test {
 

@@ -19,8 +19,8 @@ int steps(double probability) {
 }
 
 int step(double probability, double prior) {
-  return static_cast<int>(
-      std::lround(1000 * (std::log(probability / (1 - probability)) - std::log(prior / (1 - prior)))));
+  return static_cast<int>(std::lround(
+      1000 * (std::log(probability / (1 - probability)) - std::log(prior / (1 - prior)))));
 }
 
 // The cells about a beam: none beyond can be crossed.

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "support/plain_crossing.hpp"
+
 #include <map>
 #include <optional>
 #include <set>
@@ -8,8 +10,6 @@
 #include <vector>
 
 #include <rmap/grid.hpp>
-
-#include "support/plain_crossing.hpp"
 
 namespace rmap::test {
 

@@ -1,8 +1,8 @@
 #pragma once
 
-#include <rmap/scan.hpp>
-
 #include "support/nasty_beams.hpp"
+
+#include <rmap/scan.hpp>
 
 namespace rmap::test {
 
@@ -16,7 +16,8 @@ Scan random_scan(Random& random, std::size_t points, double reach);
 /// resolution, from one origin, or with an origin for each point. Coordinates
 /// are multiples of the resolution where the kind wants that, as near as float32 has them.
 Scan nasty_scan(BeamKind kind, Random& random, std::size_t points, double reach_cells,
-                double resolution, bool own_origins, const Vector3d& center_cells = Vector3d::Zero());
+                double resolution, bool own_origins,
+                const Vector3d& center_cells = Vector3d::Zero());
 
 /// The same scan with its points in another order.
 Scan shuffled(const Scan& scan, Random& random);
