@@ -85,6 +85,10 @@ void MapOptions::add_to(CLI::App& app) {
       app, "--threads", options_.threads,
       fmt::format("Threads to work with; 0: one for each core (default {}).", defaults.threads))
       ->group(kMemoryGroup);
+  add_word(app, "--traversal", options_.traversal,
+           fmt::format("How crossed cells are found: {}; the map is the same (default {}).",
+                       word_list<Traversal>(), word_of(defaults.traversal)))
+      ->group(kMemoryGroup);
   add_word(app, "--bad-points", options_.bad_points,
            fmt::format("What becomes of points that are not finite or beyond what a map can hold: "
                        "{} (default {}).",
@@ -112,6 +116,7 @@ LoadOptions MapOptions::load_options() const {
           .max_branches = options_.max_branches,
           .split = options_.split,
           .bad_points = options_.bad_points,
+          .traversal = options_.traversal,
           .threads = options_.threads};
 }
 

@@ -118,6 +118,16 @@ std::span<const Word<State>> words<State>() {
   return kWords;
 }
 
+template <>
+std::span<const Word<Traversal>> words<Traversal>() {
+  static constexpr std::array kWords = {
+      Word<Traversal>{"automatic", Traversal::automatic},
+      Word<Traversal>{"inverse", Traversal::inverse},
+      Word<Traversal>{"forward", Traversal::forward},
+  };
+  return kWords;
+}
+
 bool same_word(std::string_view a, std::string_view b) {
   const auto plain = [](char character) { return character == '-' ? '_' : character; };
   return std::equal(a.begin(), a.end(), b.begin(), b.end(),

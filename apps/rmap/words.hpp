@@ -55,6 +55,8 @@ template <>
 std::span<const Word<Split>> words<Split>();
 template <>
 std::span<const Word<State>> words<State>();
+template <>
+std::span<const Word<Traversal>> words<Traversal>();
 
 template <class Enum>
 std::string_view word_of(Enum value) {

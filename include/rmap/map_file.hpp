@@ -18,6 +18,7 @@ struct LoadOptions {
   int max_branches = 16;
   Split split = Split::quadratic;
   BadPoints bad_points = BadPoints::skip;
+  Traversal traversal = Traversal::automatic;
   int threads = 1;
 };
 

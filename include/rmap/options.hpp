@@ -27,6 +27,13 @@ enum class Beams : std::uint8_t {
   per_end_cell,
 };
 
+/// How the cells that a scan's beams cross are found. Same map, bit for bit.
+enum class Traversal : std::uint8_t {
+  automatic,  ///< whichever is known to be cheaper for the scan
+  inverse,    ///< ask each existing cell in view whether a beam crosses it
+  forward,    ///< follow each beam: the reference
+};
+
 /// What becomes of points beyond the limits of cell indices, or not finite.
 enum class BadPoints : std::uint8_t {
   skip,   ///< skipped, and counted by reason in the report
@@ -67,7 +74,9 @@ struct Options {
   Beams beams = Beams::all;
 
   BadPoints bad_points = BadPoints::skip;
-  /// Threads that an insertion may use; 0: one for each core. The map does not depend on it.
+  Traversal traversal = Traversal::automatic;
+  /// Threads that an insertion may use, up to 1024; 0: one for each core. The map does not depend
+  /// on it.
   int threads = 1;
 
   friend bool operator==(const Options&, const Options&) = default;

@@ -57,7 +57,9 @@ class ChangeLog {
   void start_at(std::uint64_t revision) { revision_ = revision; }
 
   void lost_cells(const Cell& block) { erased_.add(block, revision_); }
-  void flipped(const Cell& cell) { flips_.add(cell, revision_); }
+  void flipped(const Cell& cell) {
+    if (tracks_flips()) flips_.add(cell, revision_);
+  }
   bool tracks_flips() const { return flips_.capacity() > 0; }
   void track_flips(std::size_t cells) { flips_.restart(cells, revision_); }
 

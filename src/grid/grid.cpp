@@ -138,6 +138,7 @@ Options meaning(Options options) {
   options.max_branches = defaults.max_branches;
   options.split = defaults.split;
   options.threads = defaults.threads;
+  options.traversal = defaults.traversal;
   options.bad_points = defaults.bad_points;
   return options;
 }

@@ -1,7 +1,12 @@
 #pragma once
 
+#include "grid/block_marks.hpp"
 #include "grid/change_log.hpp"
+#include "grid/leaf_marks.hpp"
 #include "grid/leaf_store.hpp"
+#include "grid/parallel.hpp"
+
+#include <numeric>
 
 #include <rmap/grid.hpp>
 
@@ -27,6 +32,18 @@ class Grid::Implementation {
   std::uint64_t update(LeafId id, const Cell& origin, const CellMask& cells,
                        const CellMask& created, Change&& change);
 
+  /// Makes cells exist, new ones with the prior, and returns the leaves that hold them.
+  struct Ensured {
+    std::vector<MarkedLeaf> leaves;
+    std::uint64_t cells = 0;
+    std::uint64_t new_cells = 0;
+  };
+  Ensured ensure(const BlockMarks& cells);
+  /// Replaces the value of each marked cell by change(value), with the threads of the options;
+  /// returns how many values changed.
+  template <class Change>
+  std::uint64_t update_all(std::span<const MarkedLeaf> leaves, const Change& change);
+
   /// Removes the cells of `region` for which drop(value) holds; returns how many.
   std::size_t remove_cells(const CellBox& region, FunctionRef<bool(Value)> drop);
 
@@ -41,20 +58,46 @@ class Grid::Implementation {
 };
 
 template <class Change>
+std::uint64_t Grid::Implementation::update_all(std::span<const MarkedLeaf> leaves,
+                                               const Change& change) {
+  constexpr std::size_t kLeastLeaves = 256;  // fewer are not worth another thread
+  // The journal of flips is one list.
+  const int threads = log.tracks_flips() ? 1 : options.threads;
+  std::vector<std::uint64_t> changed(range_count(threads, leaves.size(), kLeastLeaves), 0);
+  for_each_range(threads, leaves.size(), kLeastLeaves,
+                 [&](std::size_t range, std::size_t begin, std::size_t end) {
+                   std::uint64_t count = 0;
+                   for (const MarkedLeaf& leaf : leaves.subspan(begin, end - begin)) {
+                     count += update(leaf.id, leaf.origin, leaf.cells, {},
+                                     [&](const Cell&, Value value) { return change(value); });
+                   }
+                   changed[range] = count;
+                 });
+  return std::accumulate(changed.begin(), changed.end(), std::uint64_t{0});
+}
+
+template <class Change>
 std::uint64_t Grid::Implementation::update(LeafId id, const Cell& origin, const CellMask& cells,
                                            const CellMask& created, Change&& change) {
   const CellMask existing = *store->leaf(id, origin).cells;
-  const std::span<Value> values = store->values(id);
+  Value* values = store->values(id).data();
   std::uint64_t changed = 0;
-  cells.for_each([&](BlockPosition position) {
-    Value& value = values[existing.rank(position)];
-    const Cell cell = origin + block_offset(position);
-    const Value before = value;
-    const bool is_new = created.test(position);
-    value = change(cell, before);
-    if (value != before || is_new) ++changed;
-    if (rule.occupied(value) != (!is_new && rule.occupied(before))) log.flipped(cell);
-  });
+  for (std::uint32_t word = 0; word < existing.words().size(); ++word) {
+    const std::uint64_t there = existing.words()[word];
+    const std::uint64_t fresh = created.words()[word];
+    for (std::uint64_t left = cells.words()[word]; left != 0; left &= left - 1) {
+      const std::uint64_t bit = left & (~left + 1);
+      Value& value = values[bit_count(there & (bit - 1))];
+      const BlockPosition position = word * 64 + static_cast<BlockPosition>(std::countr_zero(left));
+      const Cell cell = origin + block_offset(position);
+      const Value before = value;
+      const bool is_new = (fresh & bit) != 0;
+      value = change(cell, before);
+      if (value != before || is_new) ++changed;
+      if (rule.occupied(value) != (!is_new && rule.occupied(before))) log.flipped(cell);
+    }
+    values += bit_count(there);
+  }
   if (changed > 0) store->set_stamp(id, log.stamp());
   return changed;
 }

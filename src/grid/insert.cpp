@@ -1,99 +1,105 @@
-#include <algorithm>
-#include <unordered_map>
-
-#include "grid/forward/crossed_cells.hpp"
+#include "grid/beam_groups.hpp"
+#include "grid/end_cells.hpp"
 #include "grid/implementation.hpp"
-#include "grid/sorted_scan.hpp"
+#include "grid/missed_cells.hpp"
+#include "grid/scan_beams.hpp"
+
+#include <algorithm>
 
 namespace rmap {
 
 namespace {
 
-struct LeafCells {
-  Cell origin;
-  CellMask cells;
-};
-
-// Cells gathered by leaf, in Morton order: the R-tree grows alike whatever the
-// order of the points.
-std::vector<LeafCells> by_leaf(const std::vector<Cell>& cells, const LeafStore& store) {
-  std::vector<LeafCells> leaves;
-  std::unordered_map<Cell, std::size_t, CellHash> places;
-  std::size_t place = 0;
-  for (const Cell& cell : cells) {
-    const Cell origin = store.origin_of(cell);
-    // Neighbouring points mostly lie in one leaf.
-    if (leaves.empty() || leaves[place].origin != origin) {
-      place = places.try_emplace(origin, leaves.size()).first->second;
-      if (place == leaves.size()) leaves.push_back({origin, {}});
+// use(origin, cells) for the leaves, in the layout of a store, that hold marked cells.
+template <class Use>
+void for_each_leaf(const BlockMarks& cells, const LeafStore& store, Use&& use) {
+  for (const BlockMarks::Block& block : cells.blocks()) {
+    if (store.edge() == kBlockEdge) {
+      use(block.origin, block.cells);
+      continue;
     }
-    leaves[place].cells.set(store.position_of(cell));
+    block.cells.for_each([&](BlockPosition position) {
+      CellMask one;
+      one.set(0);
+      use(Cell(block.origin + block_offset(position)), one);
+    });
   }
-  std::sort(leaves.begin(), leaves.end(), [](const LeafCells& a, const LeafCells& b) {
-    return morton_less(a.origin, b.origin);
-  });
-  return leaves;
 }
 
 }  // namespace
 
+Grid::Implementation::Ensured Grid::Implementation::ensure(const BlockMarks& cells) {
+  Ensured ensured;
+  std::vector<MarkedLeaf> missing;
+  ensured.leaves.reserve(cells.blocks().size());
+  const auto note = [&](const MarkedLeaf& leaf, std::uint32_t new_cells) {
+    ensured.leaves.push_back(leaf);
+    ensured.cells += leaf.cells.count();
+    if (new_cells == 0) return;
+    ensured.new_cells += new_cells;
+    store->set_stamp(leaf.id, log.stamp());
+    count_new_cells(new_cells);
+  };
+  for_each_leaf(cells, *store, [&](const Cell& origin, const CellMask& marks) {
+    if (const auto id = store->find(origin)) {
+      note({*id, origin, marks}, store->add_missing(*id, origin, marks, rule.prior()).count());
+    } else {
+      missing.push_back({0, origin, marks});
+    }
+  });
+  // In Morton order the R-tree grows alike whatever the order of the points.
+  std::sort(missing.begin(), missing.end(), [](const MarkedLeaf& a, const MarkedLeaf& b) {
+    return morton_less(a.origin, b.origin);
+  });
+  for (MarkedLeaf& leaf : missing) {
+    leaf.id = store->add_leaf(leaf.origin, leaf.cells, rule.prior());
+    note(leaf, leaf.cells.count());
+  }
+  return ensured;
+}
+
 PrepareReport Grid::prepare(const Scan& scan) {
   Implementation& grid = *implementation_;
-  const SortedScan beams = sorted(scan, grid.lattice, grid.options, Content::end_cells);
-  PrepareReport report{.points = beams.points, .skipped = beams.skipped};
+  const ScanBeams beams(scan, grid.lattice, grid.options);
+  const EndCells ends = gather_end_cells(beams, groups_by_origin(beams), nullptr);
 
   grid.begin_mutation();
-  const Value prior = grid.rule.prior();
-  for (const LeafCells& leaf : by_leaf(beams.end_cells, *grid.store)) {
-    const auto [id, created] = grid.store->ensure(leaf.origin, leaf.cells, prior);
-    grid.update(id, leaf.origin, created, created, [](const Cell&, Value value) { return value; });
-    grid.count_new_cells(created.count());
-    report.end_cells += leaf.cells.count();
-    report.new_cells += created.count();
-  }
-  return report;
+  const auto ensured = grid.ensure(ends.cells);
+  return {.points = beams.size(),
+          .skipped = ends.skipped,
+          .end_cells = ensured.cells,
+          .new_cells = ensured.new_cells};
 }
 
 InsertReport Grid::insert(const Scan& scan) {
   Implementation& grid = *implementation_;
-  SortedScan beams = sorted(scan, grid.lattice, grid.options, Content::end_cells_and_beams);
-  if (grid.options.beams == Beams::per_end_cell) keep_one_beam_per_end_cell(beams.beams);
-  InsertReport report{.points = beams.points,
-                      .inserted = beams.end_cells.size(),
-                      .cut = beams.cut,
-                      .skipped = beams.skipped};
+  const ScanBeams beams(scan, grid.lattice, grid.options);
+  std::vector<BeamGroup> groups = groups_by_origin(beams);
+  const bool chooses = grid.options.beams == Beams::per_end_cell;
+  std::optional<BeamIndex> index;
+  if (groups.size() == 1 && !chooses && casts_inversely(groups.front(), grid.options)) {
+    index.emplace(index_for(beams, groups.front()));
+  }
+  const EndCells ends = gather_end_cells(beams, groups, index ? &*index : nullptr);
+  if (chooses) groups = groups_by_origin(beams, ends.chosen);
 
   grid.begin_mutation();
   grid.scan_poses.push_back(scan.map_from_sensor);
-
-  struct EndLeaf {
-    LeafId id;
-    Cell origin;
-    CellMask cells;
-    CellMask created;
-  };
-  std::vector<EndLeaf> ends;
-  for (const LeafCells& leaf : by_leaf(beams.end_cells, *grid.store)) {
-    const auto [id, created] = grid.store->ensure(leaf.origin, leaf.cells, grid.rule.prior());
-    ends.push_back({id, leaf.origin, leaf.cells, created});
-    grid.count_new_cells(created.count());
-    report.end_cells += leaf.cells.count();
-    report.new_cells += created.count();
-  }
-  LeafMarks hit(grid.store->id_limit());
-  for (const EndLeaf& end : ends) {
-    hit.at(end.id, end.origin) = end.cells;
-    report.hits += grid.update(end.id, end.origin, end.cells, end.created,
-                               [&](const Cell&, Value value) { return grid.rule.hit(value); });
-  }
-
-  const LeafMarks crossed = crossed_cells(*grid.store, beams.beams, hit, grid.options.threads);
-  for (const LeafMarks::Marked& leaf : crossed.marked()) {
-    report.misses += grid.update(leaf.id, leaf.origin, leaf.cells, {}, [&](const Cell&, Value value) {
-      return grid.rule.miss(value);
-    });
-  }
-  return report;
+  auto ensured = grid.ensure(ends.cells);
+  const LeafMarks hit(grid.store->id_limit(), std::move(ensured.leaves));
+  const std::uint64_t hits =
+      grid.update_all(hit.marked(), [&](Value value) { return grid.rule.hit(value); });
+  const MissedCells missed(*grid.store, grid.rule, beams, hit);
+  const std::uint64_t misses = grid.update_all(index ? missed.of(*index) : missed.of(groups),
+                                               [&](Value value) { return grid.rule.miss(value); });
+  return {.points = beams.size(),
+          .inserted = ends.inserted,
+          .cut = ends.cut,
+          .skipped = ends.skipped,
+          .end_cells = ensured.cells,
+          .new_cells = ensured.new_cells,
+          .hits = hits,
+          .misses = misses};
 }
 
 }  // namespace rmap

@@ -1,16 +1,32 @@
 #pragma once
 
-#include <vector>
-
 #include "grid/leaf_store.hpp"
 
+#include <utility>
+#include <vector>
+
 namespace rmap {
+
+/// Some cells of a leaf.
+struct MarkedLeaf {
+  LeafId id;
+  Cell origin;
+  CellMask cells;
+};
 
 /// Marked cells, by leaf: those that a scan hit, or crossed. Valid while no
 /// leaf comes or goes.
 class LeafMarks {
  public:
   explicit LeafMarks(LeafId id_limit) : index_(id_limit, 0) {}
+
+  /// The marks `marked`, each leaf once.
+  LeafMarks(LeafId id_limit, std::vector<MarkedLeaf> marked)
+      : index_(id_limit, 0), marked_(std::move(marked)) {
+    for (std::size_t i = 0; i < marked_.size(); ++i) {
+      index_[marked_[i].id] = static_cast<std::uint32_t>(i + 1);
+    }
+  }
 
   /// The marks of a leaf, to be added to.
   CellMask& at(LeafId id, const Cell& origin) {
@@ -27,20 +43,16 @@ class LeafMarks {
   }
 
   void add(const LeafMarks& other) {
-    for (const Marked& marked : other.marked_) at(marked.id, marked.origin) |= marked.cells;
+    for (const MarkedLeaf& marked : other.marked_) at(marked.id, marked.origin) |= marked.cells;
   }
 
-  struct Marked {
-    LeafId id;
-    Cell origin;
-    CellMask cells;
-  };
   /// The leaves with marks, in the order in which they were first asked for.
-  const std::vector<Marked>& marked() const { return marked_; }
+  const std::vector<MarkedLeaf>& marked() const& { return marked_; }
+  std::vector<MarkedLeaf> marked() && { return std::move(marked_); }
 
  private:
   std::vector<std::uint32_t> index_;  ///< 1 + place in marked_, by leaf
-  std::vector<Marked> marked_;
+  std::vector<MarkedLeaf> marked_;
 };
 
 }  // namespace rmap

@@ -1,9 +1,9 @@
 #include "grid/leaf_store.hpp"
 
-#include <fmt/format.h>
-
 #include "grid/block_store.hpp"
 #include "grid/cell_store.hpp"
+
+#include <fmt/format.h>
 
 namespace rmap {
 
@@ -30,8 +30,7 @@ const Value* LeafStore::find_value(const Cell& cell) const {
   return found.cells->test(position) ? found.values + found.cells->rank(position) : nullptr;
 }
 
-bool LeafStore::visit(const CellBox& region,
-                      FunctionRef<bool(LeafId, const Leaf&)> visit) const {
+bool LeafStore::visit(const CellBox& region, FunctionRef<bool(LeafId, const Leaf&)> visit) const {
   return tree_.overlapping(
       region, [&](const CellBox& box, LeafId id) { return visit(id, leaf(id, box.min)); });
 }
@@ -42,6 +41,12 @@ bool LeafStore::visit_crossed(const Beam& beam,
       beam, [&](const CellBox& box, LeafId id) { return visit(id, leaf(id, box.min)); });
 }
 
+bool LeafStore::visit_where(FunctionRef<bool(const CellBox&)> enter,
+                            FunctionRef<bool(LeafId, const Leaf&)> visit) const {
+  return tree_.descend(enter,
+                       [&](const CellBox& box, LeafId id) { return visit(id, leaf(id, box.min)); });
+}
+
 void LeafStore::visit_along(const Beam& beam,
                             FunctionRef<double(const Leaf&, double enter)> visit) const {
   tree_.crossed_in_order(beam, [&](const CellBox& box, LeafId id, double enter) {
@@ -50,16 +55,21 @@ void LeafStore::visit_along(const Beam& beam,
 }
 
 LeafStore::Ensured LeafStore::ensure(const Cell& origin, const CellMask& cells, Value value) {
-  auto id = find(origin);
-  if (!id) {
-    id = allocate();
-    tree_.insert(leaf_box(origin), *id);
-    add_cells(*id, cells, value);
-    return {*id, cells};
-  }
-  const CellMask created = cells.without(*leaf(*id, origin).cells);
-  if (!created.none()) add_cells(*id, created, value);
-  return {*id, created};
+  if (const auto id = find(origin)) return {*id, add_missing(*id, origin, cells, value)};
+  return {add_leaf(origin, cells, value), cells};
+}
+
+CellMask LeafStore::add_missing(LeafId id, const Cell& origin, const CellMask& cells, Value value) {
+  const CellMask missing = cells.without(*leaf(id, origin).cells);
+  if (!missing.none()) add_cells(id, missing, value);
+  return missing;
+}
+
+LeafId LeafStore::add_leaf(const Cell& origin, const CellMask& cells, Value value) {
+  const LeafId id = allocate();
+  tree_.insert(leaf_box(origin), id);
+  add_cells(id, cells, value);
+  return id;
 }
 
 void LeafStore::remove(LeafId id, const Cell& origin, const CellMask& cells) {

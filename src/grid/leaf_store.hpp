@@ -1,5 +1,7 @@
 #pragma once
 
+#include "grid/change_log.hpp"
+
 #include <memory>
 #include <optional>
 #include <span>
@@ -7,8 +9,6 @@
 #include <rmap/beam.hpp>
 #include <rmap/leaf.hpp>
 #include <rmap/report.hpp>
-
-#include "grid/change_log.hpp"
 
 namespace rmap {
 
@@ -43,6 +43,9 @@ class LeafStore {
   /// Visits return false when `visit` did.
   bool visit(const CellBox& region, FunctionRef<bool(LeafId, const Leaf&)> visit) const;
   bool visit_crossed(const Beam& beam, FunctionRef<bool(LeafId, const Leaf&)> visit) const;
+  /// The leaves whose boxes, and all nodes around them, `enter` accepts.
+  bool visit_where(FunctionRef<bool(const CellBox&)> enter,
+                   FunctionRef<bool(LeafId, const Leaf&)> visit) const;
   void visit_along(const Beam& beam, FunctionRef<double(const Leaf&, double enter)> visit) const;
 
   std::size_t leaf_count() const { return tree_.size(); }
@@ -61,6 +64,10 @@ class LeafStore {
   };
   /// Makes the cells of `cells` exist in the leaf at `origin`, new ones with `value`.
   Ensured ensure(const Cell& origin, const CellMask& cells, Value value);
+  /// The same for a leaf that exists; returns the cells that are new.
+  CellMask add_missing(LeafId id, const Cell& origin, const CellMask& cells, Value value);
+  /// Makes a leaf that does not exist.
+  LeafId add_leaf(const Cell& origin, const CellMask& cells, Value value);
   /// The values of a leaf, in the order of positions.
   virtual std::span<Value> values(LeafId id) = 0;
   /// Removes existing cells of a leaf; a leaf without cells goes, and its id with it.

@@ -11,6 +11,8 @@ namespace rmap {
 
 namespace {
 
+constexpr int kMaxThreads = 1024;
+
 [[noreturn]] void refuse(const std::string& sentence) { throw Error(ErrorKind::input, sentence); }
 
 // NaN fails every comparison, so it is refused here as well.
@@ -95,9 +97,9 @@ void check_options(const Options& options) {
   if (options.max_branches < 4 || options.max_branches > 64) {
     refuse(fmt::format("max_branches is {}: it must lie in 4 to 64", options.max_branches));
   }
-  if (options.threads < 0) {
-    refuse(fmt::format("threads is {}: it must be 0 (all cores) or a number of threads",
-                       options.threads));
+  if (options.threads < 0 || options.threads > kMaxThreads) {
+    refuse(fmt::format("threads is {}: it must lie in 0 (all cores) to {}", options.threads,
+                       kMaxThreads));
   }
 }
 

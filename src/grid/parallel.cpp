@@ -39,9 +39,8 @@ void run_tasks(std::size_t tasks, FunctionRef<void(std::size_t)> task) {
   // More threads than cores would be slower, and oneTBB would warn on stderr.
   oneapi::tbb::task_arena arena(
       std::min(static_cast<int>(tasks), oneapi::tbb::info::default_concurrency()));
-  arena.execute([&] {
-    oneapi::tbb::parallel_for(std::size_t{0}, tasks, [&](std::size_t i) { task(i); });
-  });
+  arena.execute(
+      [&] { oneapi::tbb::parallel_for(std::size_t{0}, tasks, [&](std::size_t i) { task(i); }); });
 #endif
 }
 
@@ -52,10 +51,17 @@ int thread_count(int threads) {
   return std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
 }
 
-void for_each_range(int threads, std::size_t count,
+std::size_t range_count(int threads, std::size_t count, std::size_t least) {
+  const auto most = static_cast<std::size_t>(thread_count(threads));
+  return std::min({most, count, std::max<std::size_t>(count / least, 1)});
+}
+
+void for_each_range(int threads, std::size_t count, std::size_t least,
                     FunctionRef<void(std::size_t, std::size_t, std::size_t)> work) {
-  const auto ranges = std::min(static_cast<std::size_t>(thread_count(threads)), count);
-  const auto border = [&](std::size_t range) { return count / ranges * range + std::min(range, count % ranges); };
+  const std::size_t ranges = range_count(threads, count, least);
+  const auto border = [&](std::size_t range) {
+    return count / ranges * range + std::min(range, count % ranges);
+  };
   if (ranges == 1) {
     work(0, 0, count);
   } else if (ranges > 1) {

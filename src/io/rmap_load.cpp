@@ -137,6 +137,7 @@ Grid empty_grid(Options options, const LoadOptions& in_memory) {
   options.split = in_memory.split;
   options.bad_points = in_memory.bad_points;
   options.threads = in_memory.threads;
+  options.traversal = in_memory.traversal;
   return Grid(options);
 }
 

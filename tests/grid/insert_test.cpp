@@ -1,9 +1,9 @@
-#include <rmap/grid.hpp>
+#include "support/plain_grid.hpp"
+#include "support/scans.hpp"
 
 #include <gtest/gtest.h>
 
-#include "support/plain_grid.hpp"
-#include "support/scans.hpp"
+#include <rmap/grid.hpp>
 
 namespace rmap {
 namespace {
@@ -12,16 +12,19 @@ using test::BeamKind;
 using test::PlainGrid;
 using test::Random;
 
-// A grid in both layouts, with one and three threads, beside the plain one.
-class Quartet {
+// A grid in both layouts, by both traversals, with one and three threads, beside the plain one.
+class Twins {
  public:
-  explicit Quartet(Options options) : plain_(options) {
+  explicit Twins(Options options) : plain_(options) {
     for (const Layout layout : {Layout::blocks, Layout::cells}) {
-      for (const int threads : {1, 3}) {
-        options.layout = layout;
-        options.threads = threads;
-        options.max_branches = threads == 1 ? 16 : 5;
-        grids_.emplace_back(options);
+      for (const Traversal traversal : {Traversal::inverse, Traversal::forward}) {
+        for (const int threads : {1, 3}) {
+          options.layout = layout;
+          options.traversal = traversal;
+          options.threads = threads;
+          options.max_branches = threads == 1 ? 16 : 5;
+          grids_.emplace_back(options);
+        }
       }
     }
   }
@@ -60,8 +63,15 @@ std::vector<Options> option_sets() {
       {.resolution = 0.1, .max_range = 1.5},
       {.resolution = 0.25, .saturation = Saturation::freeze},
       {.resolution = 0.1, .beams = Beams::per_end_cell},
-      {.resolution = 0.2, .prob_hit = 0.9, .prob_miss = 0.2, .clamp_min = 0.01, .clamp_max = 0.99,
-       .prior = 0.3, .occupied_threshold = 0.6, .min_range = 0.5, .max_range = 4},
+      {.resolution = 0.2,
+       .prob_hit = 0.9,
+       .prob_miss = 0.2,
+       .clamp_min = 0.01,
+       .clamp_max = 0.99,
+       .prior = 0.3,
+       .occupied_threshold = 0.6,
+       .min_range = 0.5,
+       .max_range = 4},
   };
 }
 
@@ -73,17 +83,17 @@ TEST_P(InsertOptions, RandomScansGiveTheMapOfTheDefinition) {
   SCOPED_TRACE(random.trace());
   InsertReport total;
   for (int round = 0; round < 6 && !HasFailure(); ++round) {
-    Quartet quartet(options);
+    Twins twins(options);
     for (int i = 0; i < 6; ++i) {
       Scan scan = test::random_scan(random, 300, 2.5);
       scan.no_returns = {{1, 0, 0}, {0.3f, -2, 1}, {0, 0, 0}};
       scan.sensor_range = i % 2 == 0 ? 2 : std::numeric_limits<double>::infinity();
       scan.points.emplace_back(std::numeric_limits<float>::quiet_NaN(), 0, 0);
       scan.points.emplace_back(3e38f, 0, 0);
-      if (round % 2 == 1) quartet.prepare(scan);
-      total += quartet.insert(scan, random);
+      if (round % 2 == 1) twins.prepare(scan);
+      total += twins.insert(scan, random);
     }
-    quartet.expect_equal();
+    twins.expect_equal();
   }
   EXPECT_EQ(total.points, 6u * 6 * 305);
   EXPECT_EQ(total.inserted + total.cut + total.skipped.total(), total.points);
@@ -101,17 +111,17 @@ TEST_P(InsertNasty, BeamsGiveTheMapOfTheDefinition) {
   int scans = 0;
   InsertReport total;
   for (const double resolution : {1.0, 0.125, 0.1}) {
-    Quartet quartet({.resolution = resolution, .max_range = resolution * 12});
+    Twins twins({.resolution = resolution, .max_range = resolution * 12});
     for (int i = 0; i < 16 && !HasFailure(); ++i) {
-      total += quartet.insert(
+      total += twins.insert(
           test::nasty_scan(kind, random, 60, 10, resolution, /*own_origins=*/i % 2 == 1), random);
       ++scans;
     }
-    quartet.expect_equal();
+    twins.expect_equal();
   }
   EXPECT_EQ(scans, 48);
   if (kind != BeamKind::zero_length) {
-    EXPECT_GT(total.misses, 50u);
+    EXPECT_GT(total.misses, 20u);
   }
 }
 
@@ -121,13 +131,13 @@ TEST_P(InsertNasty, BeamsNearTheLimitsGiveTheMapOfTheDefinition) {
   SCOPED_TRACE(random.trace());
   // float32 has steps of 128 cells there: beams among a few lattice points, and over the limit.
   const Vector3d center(0x1p30 - 300, -0x1p30 + 300, 0x1p30 - 500);
-  Quartet quartet({.resolution = 1});
+  Twins twins({.resolution = 1});
   InsertReport total;
   for (int i = 0; i < 10 && !HasFailure(); ++i) {
     Scan scan = test::nasty_scan(kind, random, 40, 200, 1, i % 2 == 1, center);
-    total += quartet.insert(scan, random);
+    total += twins.insert(scan, random);
   }
-  quartet.expect_equal();
+  twins.expect_equal();
   EXPECT_GT(total.inserted, 0u);
 }
 
@@ -152,7 +162,8 @@ TEST(Insert, CutBeamsClearTheCellOfTheCut) {
 
 TEST(Insert, ABeamOfExactlyMaxRangeIsAHit) {
   Grid grid({.resolution = 0.5, .max_range = 5});
-  const InsertReport report = grid.insert(test::map_scan({0, 0, 0}, {{5, 0, 0}, {0, 5.000001f, 0}}));
+  const InsertReport report =
+      grid.insert(test::map_scan({0, 0, 0}, {{5, 0, 0}, {0, 5.000001f, 0}}));
   EXPECT_EQ(report.inserted, 1u);
   EXPECT_EQ(report.cut, 1u);
 }

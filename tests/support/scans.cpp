@@ -21,16 +21,17 @@ Scan random_scan(Random& random, std::size_t points, double reach) {
 
 Scan nasty_scan(BeamKind kind, Random& random, std::size_t points, double reach_cells,
                 double resolution, bool own_origins, const Vector3d& center_cells) {
+  constexpr std::size_t kBeamsOfAnOrigin = 4;
   Scan scan{.frame = Frame::map};
-  const Vector3d shared = nasty_beam(kind, random, reach_cells, center_cells).origin;
-  scan.map_from_sensor.translation() = shared * resolution;
+  Vector3d origin = nasty_beam(kind, random, reach_cells, center_cells).origin;
+  scan.map_from_sensor.translation() = origin * resolution;
   for (std::size_t i = 0; i < points; ++i) {
     BeamEnds ends = nasty_beam(kind, random, reach_cells, center_cells);
     if (own_origins) {
-      scan.origins.emplace_back(ends.origin * resolution);
-    } else {
-      ends.end += shared - ends.origin;
+      if (i % kBeamsOfAnOrigin == 0) origin = ends.origin;
+      scan.origins.emplace_back(origin * resolution);
     }
+    ends.end += origin - ends.origin;
     scan.points.push_back((ends.end * resolution).cast<float>());
   }
   return scan;

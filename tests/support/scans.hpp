@@ -13,7 +13,7 @@ Pose random_pose(Random& random, double reach);
 Scan random_scan(Random& random, std::size_t points, double reach);
 
 /// A scan in the map's frame whose beams are all of one nasty kind at the given
-/// resolution, from one origin, or with an origin for each point. Coordinates
+/// resolution, from one origin, or from one for each four points. Coordinates
 /// are multiples of the resolution where the kind wants that, as near as float32 has them.
 Scan nasty_scan(BeamKind kind, Random& random, std::size_t points, double reach_cells,
                 double resolution, bool own_origins,

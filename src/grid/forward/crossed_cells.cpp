@@ -24,15 +24,17 @@ void mark_crossed(const LeafStore& store, const Beam& beam, const LeafMarks& hit
 
 }  // namespace
 
-LeafMarks crossed_cells(const LeafStore& store, std::span<const Beam> beams, const LeafMarks& hit,
-                        int threads) {
+LeafMarks crossed_cells(const LeafStore& store, const ScanBeams& beams,
+                        std::span<const std::uint32_t> numbers, const LeafMarks& hit, int threads) {
   const auto ranges = static_cast<std::size_t>(thread_count(threads));
   std::vector<LeafMarks> found(ranges, LeafMarks(store.id_limit()));
-  for_each_range(threads, beams.size(), [&](std::size_t range, std::size_t begin, std::size_t end) {
-    for (const Beam& beam : beams.subspan(begin, end - begin)) {
-      mark_crossed(store, beam, hit, found[range]);
-    }
-  });
+  for_each_range(threads, numbers.size(),
+                 [&](std::size_t range, std::size_t begin, std::size_t end) {
+                   for (const std::uint32_t number : numbers.subspan(begin, end - begin)) {
+                     if (const auto beam = beams.beam(number))
+                       mark_crossed(store, *beam, hit, found[range]);
+                   }
+                 });
   for (std::size_t range = 1; range < ranges; ++range) found[0].add(found[range]);
   return std::move(found[0]);
 }

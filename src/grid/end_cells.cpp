@@ -1,0 +1,96 @@
+#include "grid/end_cells.hpp"
+
+#include "grid/nearest_ends.hpp"
+#include "grid/parallel.hpp"
+
+#include <algorithm>
+
+namespace rmap {
+
+namespace {
+
+// What one thread gathers.
+struct Share {
+  explicit Share(const ScanBeams& beams) : nearest(beams) {}
+
+  EndCells ends;
+  NearestEnds nearest;
+};
+
+// Fewer are not worth another thread.
+constexpr std::size_t kLeastTiles = 8;
+
+std::size_t tiles_of(const BeamGroup& group) {
+  return (group.size + PointTile::kSize - 1) / PointTile::kSize;
+}
+
+// work(range, begin, end) over the places of a group, ranges starting with whole tiles.
+template <class Work>
+void for_each_range_of(const BeamGroup& group, int threads, const Work& work) {
+  for_each_range(threads, tiles_of(group), kLeastTiles,
+                 [&](std::size_t range, std::size_t begin, std::size_t end) {
+                   work(range, begin * PointTile::kSize,
+                        std::min(end * PointTile::kSize, group.size));
+                 });
+}
+
+}  // namespace
+
+EndCells gather_end_cells(const ScanBeams& beams, std::span<const BeamGroup> groups,
+                          BeamIndex* index) {
+  const int threads = thread_count(beams.options().threads);
+  const bool chooses = beams.options().beams == Beams::per_end_cell;
+  std::vector<Share> shares(static_cast<std::size_t>(threads), Share(beams));
+  for (const BeamGroup& group : groups) {
+    for_each_range_of(group, threads, [&](std::size_t range, std::size_t begin, std::size_t end) {
+      Share& share = shares[range];
+      TileLoader loader(beams, group.origin);
+      for_each_tile(group, begin, end, loader, [&](const PointTile& tile, std::size_t place) {
+        tile.ends.for_each([&](std::size_t i) { share.ends.cells.add(tile.cell_of(i)); });
+        share.ends.inserted += tile.ends.count();
+        if (index != nullptr) index->add(tile, place, range);
+        if (!chooses) return;
+        share.nearest.add(tile);
+        tile.cuts.for_each([&](std::size_t i) { share.ends.chosen.push_back(tile.number(i)); });
+      });
+      share.ends.cut += loader.cut();
+      share.ends.skipped += loader.skipped();
+    });
+  }
+
+  EndCells all = std::move(shares.front().ends);
+  NearestEnds& nearest = shares.front().nearest;
+  for (const Share& share : std::span(shares).subspan(1)) {
+    all.cells.add(share.ends.cells);
+    all.inserted += share.ends.inserted;
+    all.cut += share.ends.cut;
+    all.skipped += share.ends.skipped;
+    all.chosen.insert(all.chosen.end(), share.ends.chosen.begin(), share.ends.chosen.end());
+    nearest.add(share.nearest);
+  }
+  if (chooses) {
+    const std::vector<std::uint32_t> kept = nearest.numbers();
+    all.chosen.insert(all.chosen.end(), kept.begin(), kept.end());
+    std::sort(all.chosen.begin(), all.chosen.end());
+  }
+  return all;
+}
+
+BeamIndex index_for(const ScanBeams& beams, const BeamGroup& group) {
+  return BeamIndex(
+      beams.lattice().to_cells(group.origin), group.size,
+      std::max<std::size_t>(1, range_count(beams.options().threads, tiles_of(group), kLeastTiles)));
+}
+
+void index_beams(const ScanBeams& beams, const BeamGroup& group, BeamIndex& index) {
+  for_each_range_of(group, thread_count(beams.options().threads),
+                    [&](std::size_t range, std::size_t begin, std::size_t end) {
+                      TileLoader loader(beams, group.origin);
+                      for_each_tile(group, begin, end, loader,
+                                    [&](const PointTile& tile, std::size_t place) {
+                                      index.add(tile, place, range);
+                                    });
+                    });
+}
+
+}  // namespace rmap

@@ -1,0 +1,304 @@
+#include "grid/inverse/cast_kernel.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <limits>
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "grid/inverse/cast_kernel.cpp"
+#include <hwy/cache_control.h>
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace rmap {
+namespace HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+// A parameter t = (plane - origin) / direction comes with four roundings to single
+// precision, 2^-22 of itself; within [0, 1] the difference of two is off by less than this.
+constexpr float kUncertain = 0x1p-20F;
+
+// The least distance of a plane but the origin's own: as parameter of a beam with a
+// direction (2^-40 or more) far below kUncertain, of one without far beyond the end.
+constexpr float kLeast = 1e-20F;
+
+constexpr std::size_t kEdge = kBlockEdge;
+
+using Floats = hn::ScalableTag<float>;
+using Floats8 = hn::CappedTag<float, kEdge>;
+using Ints8 = hn::RebindToSigned<Floats8>;
+
+// The planes between which the cells of a block lie, on one axis, as seen from the origin.
+struct AxisPlanes {
+  alignas(32) std::array<float, kEdge> near;  // 0 in the origin's own layer
+  alignas(32) std::array<float, kEdge> far;
+  alignas(32) std::array<float, kEdge> low;  // of the slab, widened
+  alignas(32) std::array<float, kEdge> high;
+  float own_low = 0;  // the lower plane of the origin's own layer
+  std::size_t own = kEdge;
+
+  cube_map::Slab slab() const { return {low.front(), high.back()}; }
+};
+
+AxisPlanes PlanesOf(std::int32_t first, double origin, std::int32_t origin_layer) {
+  AxisPlanes planes;
+  for (std::size_t i = 0; i < kEdge; ++i) {
+    const std::int32_t layer = first + static_cast<std::int32_t>(i);
+    const auto low = static_cast<float>(layer - origin);
+    const auto high = static_cast<float>(layer + 1.0 - origin);
+    if (layer > origin_layer) {
+      planes.near[i] = std::max(low, kLeast);
+      planes.far[i] = high;
+    } else if (layer < origin_layer) {
+      planes.near[i] = std::min(high, -kLeast);
+      planes.far[i] = low;
+    } else {
+      planes.near[i] = 0;
+      planes.far[i] = std::max(high, kLeast);
+      planes.own_low = std::min(low, -kLeast);
+      planes.own = i;
+    }
+    planes.low[i] = low - cube_map::kTiny;
+    planes.high[i] = high + cube_map::kTiny;
+  }
+  return planes;
+}
+
+// Bins of the cells of a block along u or v, by depth layer and layer on the axis.
+class BinTable {
+ public:
+  void Fill(std::size_t depth_layer, const cube_map::Depths& depths, const AxisPlanes& planes,
+            int bins) {
+    const Floats8 d;
+    const Ints8 di;
+    const auto zero = hn::Zero(d);
+    const auto inverse_far = hn::Set(d, 1 / depths.far);
+    const auto inverse_near =
+        hn::Set(d, depths.near > 0 ? 1 / depths.near : std::numeric_limits<float>::infinity());
+    const auto half = hn::Set(d, 0.5F * static_cast<float>(bins));
+    const auto edge = hn::Set(d, static_cast<float>(bins));
+    const auto last_bin = hn::Set(d, static_cast<float>(bins - 1));
+    for (std::size_t i = 0; i < kEdge; i += hn::Lanes(d)) {
+      const auto low = hn::Load(d, planes.low.data() + i);
+      const auto high = hn::Load(d, planes.high.data() + i);
+      // As cube_map::range and bins_of.
+      const auto min = hn::Mul(low, hn::IfThenElse(hn::Ge(low, zero), inverse_far, inverse_near));
+      const auto max = hn::Mul(high, hn::IfThenElse(hn::Gt(high, zero), inverse_near, inverse_far));
+      const auto first = hn::Mul(hn::Add(min, hn::Set(d, 1 - cube_map::kWiden)), half);
+      const auto last = hn::Mul(hn::Add(max, hn::Set(d, 1 + cube_map::kWiden)), half);
+      const std::size_t at = depth_layer * kEdge + i;
+      hn::Store(hn::ConvertTo(di, hn::Min(hn::Max(first, zero), edge)), di, first_.data() + at);
+      hn::Store(hn::ConvertTo(di, hn::Min(hn::Max(last, hn::Set(d, -1.0F)), last_bin)), di,
+                last_.data() + at);
+    }
+  }
+  void Empty(std::size_t depth_layer) {
+    for (std::size_t i = 0; i < kEdge; ++i) {
+      first_[depth_layer * kEdge + i] = 0;
+      last_[depth_layer * kEdge + i] = -1;
+    }
+  }
+  cube_map::Bins At(std::size_t depth_layer, std::size_t layer) const {
+    return {first_[depth_layer * kEdge + layer], last_[depth_layer * kEdge + layer]};
+  }
+
+ private:
+  alignas(32) std::array<std::int32_t, kEdge * kEdge> first_;
+  alignas(32) std::array<std::int32_t, kEdge * kEdge> last_;
+};
+
+// The beams of one row of bins that a cell covers.
+struct RowOfBeams {
+  std::uint32_t begin, end;
+  BlockPosition cell;
+};
+
+class BlockCaster {
+ public:
+  BlockCaster(const IndexedBeams& beams, const Cell& origin, CrossesExactly exactly)
+      : beams_(beams), origin_(origin), exactly_(exactly) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const auto at = static_cast<Eigen::Index>(axis);
+      planes_[axis] = PlanesOf(origin[at], beams.origin[at], beams.origin_cell[at]);
+    }
+  }
+
+  CellMask Cast(const CellMask& asked) {
+    for (int face = 0; face < cube_map::kFaces; ++face) {
+      const cube_map::Axes axes = cube_map::axes_of(face);
+      if (!Touches(face, axes)) continue;
+      filled_ = 0;
+      asked.without(crossed_).for_each(
+          [&](BlockPosition position) { Cover(face, axes, position); });
+      TestRows();
+    }
+    return crossed_;
+  }
+
+ private:
+  using Vector = hn::Vec<Floats>;
+
+  static constexpr std::size_t kMaxRows = 1024;
+  static constexpr int kManyRows = 4;
+
+  // Whether the block lies on a face.
+  bool Touches(int face, const cube_map::Axes& axes) const {
+    const cube_map::Depths depths = cube_map::depths(planes_[axes.depth].slab(), face);
+    if (depths.far <= 0) return false;
+    const auto u = cube_map::bins_of(cube_map::range(planes_[axes.u].slab(), depths), beams_.bins);
+    const auto v = cube_map::bins_of(cube_map::range(planes_[axes.v].slab(), depths), beams_.bins);
+    return u.first <= u.last && v.first <= v.last;
+  }
+
+  // Fills the tables for a depth layer unless they are.
+  void Fill(std::size_t layer, int face, const cube_map::Axes& axes) {
+    if (((filled_ >> layer) & 1) != 0) return;
+    filled_ |= 1U << layer;
+    const AxisPlanes& planes = planes_[axes.depth];
+    const cube_map::Depths depths = cube_map::depths({planes.low[layer], planes.high[layer]}, face);
+    if (depths.far > 0) {
+      u_.Fill(layer, depths, planes_[axes.u], beams_.bins);
+      v_.Fill(layer, depths, planes_[axes.v], beams_.bins);
+    } else {
+      u_.Empty(layer);
+    }
+  }
+
+  // Notes the bins that a cell covers on a face. Their borders are asked for ahead of time, and
+  // tested together with those of the other cells: each test by itself would wait for memory.
+  void Cover(int face, const cube_map::Axes& axes, BlockPosition position) {
+    const std::array<std::size_t, 3> offset = OffsetOf(position);
+    Fill(offset[axes.depth], face, axes);
+    const cube_map::Bins u = u_.At(offset[axes.depth], offset[axes.u]);
+    const cube_map::Bins v = v_.At(offset[axes.depth], offset[axes.v]);
+    if (u.first > u.last || v.first > v.last) return;
+    if (v.last - v.first >= kManyRows) return CoverMany(face, u, v, position);
+    if (row_count_ + kManyRows > kMaxRows) TestRows();
+    for (int row_on_face = v.first; row_on_face <= v.last; ++row_on_face) {
+      const auto row = static_cast<std::size_t>(face * beams_.bins + row_on_face);
+      if (beams_.row_used[row] == 0) continue;
+      const std::size_t border = row * Stride() + static_cast<std::size_t>(u.first);
+      hwy::Prefetch(beams_.borders + border);
+      rows_[row_count_++] = {static_cast<std::uint32_t>(border),
+                             static_cast<std::uint32_t>(u.last + 1 - u.first), position};
+    }
+  }
+
+  // A cell so near that it covers many rows: the first beams tell, as a rule.
+  void CoverMany(int face, const cube_map::Bins& u, const cube_map::Bins& v,
+                 BlockPosition position) {
+    for (int row_on_face = v.first; row_on_face <= v.last; ++row_on_face) {
+      const auto row = static_cast<std::size_t>(face * beams_.bins + row_on_face);
+      if (beams_.row_used[row] == 0) continue;
+      const std::uint32_t* borders = beams_.borders + row * Stride();
+      Test({borders[u.first], borders[u.last + 1], position});
+      if (crossed_.test(position)) return;
+    }
+  }
+
+  void TestRows() {
+    // Places of borders become places of beams.
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < row_count_; ++i) {
+      const RowOfBeams bins = rows_[i];
+      const std::uint32_t begin = beams_.borders[bins.begin];
+      const std::uint32_t end = beams_.borders[bins.begin + bins.end];
+      for (const float* inverse : beams_.inverse) hwy::Prefetch(inverse + begin);
+      rows_[count] = {begin, end, bins.cell};
+      count += begin < end ? 1 : 0;
+    }
+    for (std::size_t i = 0; i < count; ++i) Test(rows_[i]);
+    row_count_ = 0;
+  }
+
+  // Nothing foretells the answer for a few beams, so it is noted without a branch.
+  void Test(const RowOfBeams& row) {
+    const Floats d;
+    const std::array<std::size_t, 3> offset = OffsetOf(row.cell);
+    const bool own =
+        planes_[0].own == offset[0] || planes_[1].own == offset[1] || planes_[2].own == offset[2];
+    for (std::size_t i = row.begin; i < row.end; i += hn::Lanes(d)) {
+      const Vector inside = own ? Inside<true>(i, offset) : Inside<false>(i, offset);
+      const auto valid = hn::FirstN(d, row.end - i);
+      const auto certain = hn::And(valid, hn::Gt(inside, hn::Set(d, kUncertain)));
+      crossed_.set_if(row.cell, !hn::AllFalse(d, certain));
+      const auto uncertain = hn::And(valid, hn::Le(hn::Abs(inside), hn::Set(d, kUncertain)));
+      if (!hn::AllFalse(d, uncertain)) Decide(i, uncertain, row.cell);
+      if (i + hn::Lanes(d) < row.end && crossed_.test(row.cell)) return;
+    }
+  }
+
+  void Decide(std::size_t first, hn::Mask<Floats> uncertain, BlockPosition position) {
+    if (crossed_.test(position)) return;
+    std::uint64_t bits = 0;
+    hn::StoreMaskBits(Floats(), uncertain, reinterpret_cast<std::uint8_t*>(&bits));
+    for (; bits != 0; bits &= bits - 1) {
+      const std::size_t beam = first + static_cast<std::size_t>(std::countr_zero(bits));
+      if (exactly_(beams_.number[beam], origin_ + block_offset(position))) {
+        return crossed_.set(position);
+      }
+    }
+  }
+
+  // How long the beams from i on are in a cell, as a parameter; negative for those that miss it.
+  template <bool kOwn>  // whether the cell lies in the origin's own layer on some axis
+  Vector Inside(std::size_t i, const std::array<std::size_t, 3>& offset) const {
+    const Floats d;
+    Vector enter = hn::Zero(d);
+    Vector leave = hn::Set(d, 1.0F);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const AxisPlanes& planes = planes_[axis];
+      const Vector inverse = hn::LoadU(d, beams_.inverse[axis] + i);
+      enter = hn::Max(enter, hn::Mul(hn::Set(d, planes.near[offset[axis]]), inverse));
+      Vector exit = hn::Mul(hn::Set(d, planes.far[offset[axis]]), inverse);
+      if (kOwn && planes.own == offset[axis]) {
+        exit = hn::Max(exit, hn::Mul(hn::Set(d, planes.own_low), inverse));
+      }
+      leave = hn::Min(leave, exit);
+    }
+    return hn::Sub(leave, enter);
+  }
+
+  std::size_t Stride() const { return static_cast<std::size_t>(beams_.bins) + 1; }
+  static std::array<std::size_t, 3> OffsetOf(BlockPosition position) {
+    const Cell offset = block_offset(position);
+    return {static_cast<std::size_t>(offset.x()), static_cast<std::size_t>(offset.y()),
+            static_cast<std::size_t>(offset.z())};
+  }
+
+  const IndexedBeams& beams_;
+  Cell origin_;
+  CrossesExactly exactly_;
+  std::array<AxisPlanes, 3> planes_;
+  BinTable u_;
+  BinTable v_;
+  unsigned filled_ = 0;  ///< depth layers of the tables
+  CellMask crossed_;
+  std::size_t row_count_ = 0;
+  /// First as places of borders: that of the first bin, and the number of bins.
+  std::array<RowOfBeams, kMaxRows> rows_;
+};
+
+CellMask CrossedInBlock(const IndexedBeams& beams, const Cell& origin, const CellMask& asked,
+                        CrossesExactly exactly) {
+  return BlockCaster(beams, origin, exactly).Cast(asked);
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace rmap
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace rmap {
+
+HWY_EXPORT(CrossedInBlock);
+
+CellMask crossed_in_block(const IndexedBeams& beams, const Cell& origin, const CellMask& asked,
+                          CrossesExactly exactly) {
+  return HWY_DYNAMIC_DISPATCH(CrossedInBlock)(beams, origin, asked, exactly);
+}
+
+}  // namespace rmap
+#endif

@@ -1,0 +1,127 @@
+#include "grid/point_kernel.hpp"
+
+#include <cmath>
+#include <limits>
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "grid/point_kernel.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace rmap {
+namespace HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+// Multiplications and additions stand one by one: the definition rounds after each.
+class PointKernel {
+ public:
+  using Doubles = hn::ScalableTag<double>;
+  using Wide = hn::Vec<Doubles>;
+  using Bools = hn::Mask<Doubles>;
+  using Floats = hn::Rebind<float, Doubles>;
+  using Ints = hn::Rebind<std::int32_t, Doubles>;
+
+  PointKernel(const PointKernelInput& input, PointTile& tile)
+      : input_(input),
+        tile_(tile),
+        checks_range_(input.min_range > 0 ||
+                      input.max_range < std::numeric_limits<double>::infinity()) {}
+
+  /// The lanes from place `i` on; returns which are done.
+  Bools compute(Wide x, Wide y, Wide z, std::size_t i, Bools& has_direction) const {
+    const Doubles d;
+    Bools good = hn::And(Finite(x), hn::And(Finite(y), Finite(z)));
+    Wide point[3] = {x, y, z};
+    if (input_.moves) {
+      for (std::size_t row = 0; row < 3; ++row) {
+        const double* r = input_.map_from_points.data() + 4 * row;
+        point[row] =
+            hn::Add(hn::Add(hn::Add(hn::Mul(hn::Set(d, r[0]), x), hn::Mul(hn::Set(d, r[1]), y)),
+                            hn::Mul(hn::Set(d, r[2]), z)),
+                    hn::Set(d, r[3]));
+      }
+    }
+    if (checks_range_) good = hn::And(good, InRange(point));
+    const Wide zero = hn::Zero(d);
+    has_direction = hn::FirstN(d, 0);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const Eigen::Index at = static_cast<Eigen::Index>(axis);
+      const Wide end = hn::Mul(point[axis], hn::Set(d, input_.inverse));
+      const Wide floor = hn::Floor(end);
+      good = hn::And(good, hn::And(hn::Ge(floor, hn::Set(d, double{kMinCellIndex})),
+                                   hn::Le(floor, hn::Set(d, double{kMaxCellIndex}))));
+      Wide direction = hn::Sub(end, hn::Set(d, input_.origin_in_cells[at]));
+      direction = hn::IfThenElse(hn::Lt(hn::Abs(direction), hn::Set(d, 0x1p-40)), zero, direction);
+      has_direction = hn::Or(has_direction, hn::Ne(direction, zero));
+      hn::Store(end, d, tile_.end[axis].data() + i);
+      hn::Store(hn::DemoteTo(Ints(), floor), Ints(), tile_.cell[axis].data() + i);
+      hn::Store(hn::DemoteTo(Floats(), direction), Floats(), tile_.direction[axis].data() + i);
+    }
+    has_direction = hn::And(has_direction, good);
+    return good;
+  }
+
+ private:
+  static Bools Finite(Wide v) {
+    return hn::Le(hn::Abs(v), hn::Set(Doubles(), double{std::numeric_limits<float>::max()}));
+  }
+
+  Bools InRange(const Wide (&point)[3]) const {
+    const Doubles d;
+    const Wide dx = hn::Sub(point[0], hn::Set(d, input_.origin.x()));
+    const Wide dy = hn::Sub(point[1], hn::Set(d, input_.origin.y()));
+    const Wide dz = hn::Sub(point[2], hn::Set(d, input_.origin.z()));
+    const Wide length =
+        hn::Sqrt(hn::Add(hn::Add(hn::Mul(dx, dx), hn::Mul(dy, dy)), hn::Mul(dz, dz)));
+    return hn::And(hn::Ge(length, hn::Set(d, input_.min_range)),
+                   hn::Le(length, hn::Set(d, input_.max_range)));
+  }
+
+  const PointKernelInput& input_;
+  PointTile& tile_;
+  bool checks_range_;
+};
+
+std::uint64_t Bits(PointKernel::Bools mask) {
+  std::uint64_t bits = 0;
+  hn::StoreMaskBits(PointKernel::Doubles(), mask, reinterpret_cast<std::uint8_t*>(&bits));
+  return bits;
+}
+
+void ComputePoints(const PointKernelInput& input, const float* points, std::size_t count,
+                   PointTile& tile) {
+  const PointKernel::Doubles dd;
+  const PointKernel::Floats df;
+  const std::size_t lanes = hn::Lanes(dd);
+  const PointKernel kernel(input, tile);
+  for (std::size_t i = 0; i < count; i += lanes) {
+    hn::Vec<PointKernel::Floats> x, y, z;
+    hn::LoadInterleaved3(df, points + 3 * i, x, y, z);
+    PointKernel::Bools has_direction;
+    const PointKernel::Bools done = kernel.compute(hn::PromoteTo(dd, x), hn::PromoteTo(dd, y),
+                                                   hn::PromoteTo(dd, z), i, has_direction);
+    const std::uint64_t valid =
+        count - i < lanes ? (std::uint64_t{1} << (count - i)) - 1 : ~std::uint64_t{0};
+    tile.ends.set_group(i, Bits(done) & valid);
+    tile.beams.set_group(i, Bits(has_direction) & valid);
+  }
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace rmap
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace rmap {
+
+HWY_EXPORT(ComputePoints);
+
+void compute_points(const PointKernelInput& input, const float* points, std::size_t count,
+                    PointTile& tile) {
+  HWY_DYNAMIC_DISPATCH(ComputePoints)(input, points, count, tile);
+}
+
+}  // namespace rmap
+#endif
