@@ -60,9 +60,8 @@ void BlockStore::add_cells(LeafId id, const CellMask& cells, Value value) {
   }
   const Value* next_old = old_values.data();
   Value* next = values_.at(block.values);
-  mask.for_each([&](BlockPosition position) {
-    *next++ = before.test(position) ? *next_old++ : value;
-  });
+  mask.for_each(
+      [&](BlockPosition position) { *next++ = before.test(position) ? *next_old++ : value; });
 }
 
 void BlockStore::take_cells(LeafId id, const CellMask& cells) {

@@ -1,8 +1,8 @@
 #pragma once
 
-#include <rmap/rtree/record_pool.hpp>
-
 #include "grid/leaf_store.hpp"
+
+#include <rmap/rtree/record_pool.hpp>
 
 namespace rmap {
 
