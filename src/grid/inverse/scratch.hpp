@@ -35,7 +35,7 @@ class Scratch {
   static constexpr std::size_t kAlignment = 64;
 
   std::unique_ptr<std::byte[]> memory_;
-  std::size_t bytes_;
+  [[maybe_unused]] std::size_t bytes_;  ///< for assertions
   std::size_t used_ = 0;
 };
 
