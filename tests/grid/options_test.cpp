@@ -96,7 +96,8 @@ TEST(UpdateRule, MovesValuesAsTheFormulaOfProbabilities) {
   const auto updated = [&](double p, double pz) {
     return 1 / (1 + (1 - pz) / pz * (1 - p) / p * options.prior / (1 - options.prior));
   };
-  for (double p = 0.05; p < 0.9; p += 0.05) {
+  for (int percent = 5; percent < 90; percent += 5) {
+    const double p = percent / 100.0;
     EXPECT_NEAR(probability_of(rule.hit(value_of(p))), updated(p, 0.8), 5e-4);
     EXPECT_NEAR(probability_of(rule.miss(value_of(p))), updated(p, 0.3), 5e-4);
   }
