@@ -123,6 +123,7 @@ class Grid {
   /// Throws Error(input) when a pose is none.
   void restore(History history, std::vector<Pose> scan_poses);
   /// Packs the nodes of the R-tree full: less memory and less overlap. The map stays the same.
+  /// Memory of erased cells waits for new ones; saving and loading gives it back.
   void repack();
   /// Removes the cells in a box (m; borders as in Lattice::cells_of) and returns how many.
   std::size_t erase(const Box& box);

@@ -48,7 +48,7 @@ void check_scan(const Scan& scan, const Lattice& lattice) {
     throw Error(
         ErrorKind::limit,
         about(scan, fmt::format("the origin ({}, {}, {}) m is beyond what a map can hold: "
-                                "at a resolution of {} m coordinates must lie within +-{} m",
+                                "at a resolution of {} m coordinates must lie within +-{:.15g} m",
                                 origin.x(), origin.y(), origin.z(), lattice.resolution(),
                                 kMaxCellIndex * lattice.resolution())));
   };
@@ -124,11 +124,14 @@ SortedPoint ScanBeams::skipped(std::uint64_t SkippedPoints::*reason, const Vecto
   if (options_.bad_points == BadPoints::skip) {
     return {.fate = SortedPoint::Fate::skipped, .reason = reason};
   }
-  throw Error(ErrorKind::limit,
-              about(scan_, fmt::format("the point ({}, {}, {}) m {}: at a resolution of {} m "
-                                       "coordinates in the map must lie within +-{} m",
-                                       point.x(), point.y(), point.z(), what, lattice_.resolution(),
-                                       kMaxCellIndex * lattice_.resolution())));
+  std::string sentence =
+      fmt::format("the point ({}, {}, {}) m {}", point.x(), point.y(), point.z(), what);
+  if (reason == &SkippedPoints::beyond_limits) {
+    sentence +=
+        fmt::format(": at a resolution of {} m coordinates in the map must lie within +-{:.15g} m",
+                    lattice_.resolution(), kMaxCellIndex * lattice_.resolution());
+  }
+  throw Error(ErrorKind::limit, about(scan_, sentence));
 }
 
 }  // namespace rmap
