@@ -32,7 +32,7 @@ class PointKernel {
   /// The lanes from place `i` on; returns which are done.
   Bools compute(Wide x, Wide y, Wide z, std::size_t i, Bools& has_direction) const {
     const Doubles d;
-    Bools good = hn::And(Finite(x), hn::And(Finite(y), Finite(z)));
+    Bools good = hn::And(finite(x), hn::And(finite(y), finite(z)));
     Wide point[3] = {x, y, z};
     if (input_.moves) {
       for (std::size_t row = 0; row < 3; ++row) {
@@ -43,7 +43,7 @@ class PointKernel {
                     hn::Set(d, r[3]));
       }
     }
-    if (checks_range_) good = hn::And(good, InRange(point));
+    if (checks_range_) good = hn::And(good, in_range(point));
     const Wide zero = hn::Zero(d);
     has_direction = hn::FirstN(d, 0);
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -64,11 +64,11 @@ class PointKernel {
   }
 
  private:
-  static Bools Finite(Wide v) {
+  static Bools finite(Wide v) {
     return hn::Le(hn::Abs(v), hn::Set(Doubles(), double{std::numeric_limits<float>::max()}));
   }
 
-  Bools InRange(const Wide (&point)[3]) const {
+  Bools in_range(const Wide (&point)[3]) const {
     const Doubles d;
     const Wide dx = hn::Sub(point[0], hn::Set(d, input_.origin.x()));
     const Wide dy = hn::Sub(point[1], hn::Set(d, input_.origin.y()));
@@ -84,14 +84,14 @@ class PointKernel {
   bool checks_range_;
 };
 
-std::uint64_t Bits(PointKernel::Bools mask) {
+std::uint64_t bits_of(PointKernel::Bools mask) {
   std::uint64_t bits = 0;
   hn::StoreMaskBits(PointKernel::Doubles(), mask, reinterpret_cast<std::uint8_t*>(&bits));
   return bits;
 }
 
-void ComputePoints(const PointKernelInput& input, const float* points, std::size_t count,
-                   PointTile& tile) {
+void compute_tile(const PointKernelInput& input, const float* points, std::size_t count,
+                  PointTile& tile) {
   const PointKernel::Doubles dd;
   const PointKernel::Floats df;
   const std::size_t lanes = hn::Lanes(dd);
@@ -104,8 +104,8 @@ void ComputePoints(const PointKernelInput& input, const float* points, std::size
                                                    hn::PromoteTo(dd, z), i, has_direction);
     const std::uint64_t valid =
         count - i < lanes ? (std::uint64_t{1} << (count - i)) - 1 : ~std::uint64_t{0};
-    tile.ends.set_group(i, Bits(done) & valid);
-    tile.beams.set_group(i, Bits(has_direction) & valid);
+    tile.ends.set_group(i, bits_of(done) & valid);
+    tile.beams.set_group(i, bits_of(has_direction) & valid);
   }
 }
 
@@ -116,11 +116,11 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace rmap {
 
-HWY_EXPORT(ComputePoints);
+HWY_EXPORT(compute_tile);
 
 void compute_points(const PointKernelInput& input, const float* points, std::size_t count,
                     PointTile& tile) {
-  HWY_DYNAMIC_DISPATCH(ComputePoints)(input, points, count, tile);
+  HWY_DYNAMIC_DISPATCH(compute_tile)(input, points, count, tile);
 }
 
 }  // namespace rmap

@@ -130,8 +130,8 @@ std::vector<ScanKind> scan_kinds() {
 // A map with cells in most places around the origin, of all values.
 Grid filled_map(Random& random, const Options& options) {
   Grid grid(options);
-  for (int i = 0; i < 4; ++i) {
-    grid.insert(test::random_scan(random, 1500, kReach * kResolution));
+  for (int i = 0; i < 3; ++i) {
+    grid.insert(test::random_scan(random, 700, kReach * kResolution));
   }
   return grid;
 }

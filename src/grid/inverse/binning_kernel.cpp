@@ -13,7 +13,7 @@ namespace HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-void BinBeams(const PointTile& tile, int bins, BinnedTile& binned,
+void bin_tile(const PointTile& tile, int bins, BinnedTile& binned,
               const std::array<float*, 3>& inverse) {
   const hn::ScalableTag<float> d;
   const hn::RebindToSigned<decltype(d)> di;
@@ -67,11 +67,11 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace rmap {
 
-HWY_EXPORT(BinBeams);
+HWY_EXPORT(bin_tile);
 
 void bin_beams(const PointTile& tile, int bins, BinnedTile& binned,
                const std::array<float*, 3>& inverse) {
-  HWY_DYNAMIC_DISPATCH(BinBeams)(tile, bins, binned, inverse);
+  HWY_DYNAMIC_DISPATCH(bin_tile)(tile, bins, binned, inverse);
 }
 
 }  // namespace rmap

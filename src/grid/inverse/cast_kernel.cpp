@@ -42,7 +42,7 @@ struct AxisPlanes {
   cube_map::Slab slab() const { return {low.front(), high.back()}; }
 };
 
-AxisPlanes PlanesOf(std::int32_t first, double origin, std::int32_t origin_layer) {
+AxisPlanes planes_of(std::int32_t first, double origin, std::int32_t origin_layer) {
   AxisPlanes planes;
   for (std::size_t i = 0; i < kEdge; ++i) {
     const std::int32_t layer = first + static_cast<std::int32_t>(i);
@@ -69,7 +69,7 @@ AxisPlanes PlanesOf(std::int32_t first, double origin, std::int32_t origin_layer
 // Bins of the cells of a block along u or v, by depth layer and layer on the axis.
 class BinTable {
  public:
-  void Fill(std::size_t depth_layer, const cube_map::Depths& depths, const AxisPlanes& planes,
+  void fill(std::size_t depth_layer, const cube_map::Depths& depths, const AxisPlanes& planes,
             int bins) {
     const Floats8 d;
     const Ints8 di;
@@ -94,13 +94,13 @@ class BinTable {
                 last_.data() + at);
     }
   }
-  void Empty(std::size_t depth_layer) {
+  void clear(std::size_t depth_layer) {
     for (std::size_t i = 0; i < kEdge; ++i) {
       first_[depth_layer * kEdge + i] = 0;
       last_[depth_layer * kEdge + i] = -1;
     }
   }
-  cube_map::Bins At(std::size_t depth_layer, std::size_t layer) const {
+  cube_map::Bins at(std::size_t depth_layer, std::size_t layer) const {
     return {first_[depth_layer * kEdge + layer], last_[depth_layer * kEdge + layer]};
   }
 
@@ -121,18 +121,18 @@ class BlockCaster {
       : beams_(beams), origin_(origin), exactly_(exactly) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
       const auto at = static_cast<Eigen::Index>(axis);
-      planes_[axis] = PlanesOf(origin[at], beams.origin[at], beams.origin_cell[at]);
+      planes_[axis] = planes_of(origin[at], beams.origin[at], beams.origin_cell[at]);
     }
   }
 
-  CellMask Cast(const CellMask& asked) {
+  CellMask cast(const CellMask& asked) {
     for (int face = 0; face < cube_map::kFaces; ++face) {
       const cube_map::Axes axes = cube_map::axes_of(face);
-      if (!Touches(face, axes)) continue;
+      if (!touches(face, axes)) continue;
       filled_ = 0;
       asked.without(crossed_).for_each(
-          [&](BlockPosition position) { Cover(face, axes, position); });
-      TestRows();
+          [&](BlockPosition position) { cover(face, axes, position); });
+      test_rows();
     }
     return crossed_;
   }
@@ -144,7 +144,7 @@ class BlockCaster {
   static constexpr int kManyRows = 4;
 
   // Whether the block lies on a face.
-  bool Touches(int face, const cube_map::Axes& axes) const {
+  bool touches(int face, const cube_map::Axes& axes) const {
     const cube_map::Depths depths = cube_map::depths(planes_[axes.depth].slab(), face);
     if (depths.far <= 0) return false;
     const auto u = cube_map::bins_of(cube_map::range(planes_[axes.u].slab(), depths), beams_.bins);
@@ -153,33 +153,33 @@ class BlockCaster {
   }
 
   // Fills the tables for a depth layer unless they are.
-  void Fill(std::size_t layer, int face, const cube_map::Axes& axes) {
+  void fill(std::size_t layer, int face, const cube_map::Axes& axes) {
     if (((filled_ >> layer) & 1) != 0) return;
     filled_ |= 1U << layer;
     const AxisPlanes& planes = planes_[axes.depth];
     const cube_map::Depths depths = cube_map::depths({planes.low[layer], planes.high[layer]}, face);
     if (depths.far > 0) {
-      u_.Fill(layer, depths, planes_[axes.u], beams_.bins);
-      v_.Fill(layer, depths, planes_[axes.v], beams_.bins);
+      u_.fill(layer, depths, planes_[axes.u], beams_.bins);
+      v_.fill(layer, depths, planes_[axes.v], beams_.bins);
     } else {
-      u_.Empty(layer);
+      u_.clear(layer);
     }
   }
 
   // Notes the bins that a cell covers on a face. Their borders are asked for ahead of time, and
   // tested together with those of the other cells: each test by itself would wait for memory.
-  void Cover(int face, const cube_map::Axes& axes, BlockPosition position) {
-    const std::array<std::size_t, 3> offset = OffsetOf(position);
-    Fill(offset[axes.depth], face, axes);
-    const cube_map::Bins u = u_.At(offset[axes.depth], offset[axes.u]);
-    const cube_map::Bins v = v_.At(offset[axes.depth], offset[axes.v]);
+  void cover(int face, const cube_map::Axes& axes, BlockPosition position) {
+    const std::array<std::size_t, 3> offset = offset_of(position);
+    fill(offset[axes.depth], face, axes);
+    const cube_map::Bins u = u_.at(offset[axes.depth], offset[axes.u]);
+    const cube_map::Bins v = v_.at(offset[axes.depth], offset[axes.v]);
     if (u.first > u.last || v.first > v.last) return;
-    if (v.last - v.first >= kManyRows) return CoverMany(face, u, v, position);
-    if (row_count_ + kManyRows > kMaxRows) TestRows();
+    if (v.last - v.first >= kManyRows) return cover_many(face, u, v, position);
+    if (row_count_ + kManyRows > kMaxRows) test_rows();
     for (int row_on_face = v.first; row_on_face <= v.last; ++row_on_face) {
-      const auto row = static_cast<std::size_t>(face * beams_.bins + row_on_face);
+      const std::size_t row = row_of(face, row_on_face);
       if (beams_.row_used[row] == 0) continue;
-      const std::size_t border = row * Stride() + static_cast<std::size_t>(u.first);
+      const std::size_t border = row * stride() + static_cast<std::size_t>(u.first);
       hwy::Prefetch(beams_.borders + border);
       rows_[row_count_++] = {static_cast<std::uint32_t>(border),
                              static_cast<std::uint32_t>(u.last + 1 - u.first), position};
@@ -187,18 +187,18 @@ class BlockCaster {
   }
 
   // A cell so near that it covers many rows: the first beams tell, as a rule.
-  void CoverMany(int face, const cube_map::Bins& u, const cube_map::Bins& v,
-                 BlockPosition position) {
+  void cover_many(int face, const cube_map::Bins& u, const cube_map::Bins& v,
+                  BlockPosition position) {
     for (int row_on_face = v.first; row_on_face <= v.last; ++row_on_face) {
-      const auto row = static_cast<std::size_t>(face * beams_.bins + row_on_face);
+      const std::size_t row = row_of(face, row_on_face);
       if (beams_.row_used[row] == 0) continue;
-      const std::uint32_t* borders = beams_.borders + row * Stride();
-      Test({borders[u.first], borders[u.last + 1], position});
+      const std::uint32_t* borders = beams_.borders + row * stride();
+      test({borders[u.first], borders[u.last + 1], position});
       if (crossed_.test(position)) return;
     }
   }
 
-  void TestRows() {
+  void test_rows() {
     // Places of borders become places of beams.
     std::size_t count = 0;
     for (std::size_t i = 0; i < row_count_; ++i) {
@@ -209,28 +209,28 @@ class BlockCaster {
       rows_[count] = {begin, end, bins.cell};
       count += begin < end ? 1 : 0;
     }
-    for (std::size_t i = 0; i < count; ++i) Test(rows_[i]);
+    for (std::size_t i = 0; i < count; ++i) test(rows_[i]);
     row_count_ = 0;
   }
 
   // Nothing foretells the answer for a few beams, so it is noted without a branch.
-  void Test(const RowOfBeams& row) {
+  void test(const RowOfBeams& row) {
     const Floats d;
-    const std::array<std::size_t, 3> offset = OffsetOf(row.cell);
+    const std::array<std::size_t, 3> offset = offset_of(row.cell);
     const bool own =
         planes_[0].own == offset[0] || planes_[1].own == offset[1] || planes_[2].own == offset[2];
     for (std::size_t i = row.begin; i < row.end; i += hn::Lanes(d)) {
-      const Vector inside = own ? Inside<true>(i, offset) : Inside<false>(i, offset);
+      const Vector inside = own ? inside_of<true>(i, offset) : inside_of<false>(i, offset);
       const auto valid = hn::FirstN(d, row.end - i);
       const auto certain = hn::And(valid, hn::Gt(inside, hn::Set(d, kUncertain)));
       crossed_.set_if(row.cell, !hn::AllFalse(d, certain));
       const auto uncertain = hn::And(valid, hn::Le(hn::Abs(inside), hn::Set(d, kUncertain)));
-      if (!hn::AllFalse(d, uncertain)) Decide(i, uncertain, row.cell);
+      if (!hn::AllFalse(d, uncertain)) decide(i, uncertain, row.cell);
       if (i + hn::Lanes(d) < row.end && crossed_.test(row.cell)) return;
     }
   }
 
-  void Decide(std::size_t first, hn::Mask<Floats> uncertain, BlockPosition position) {
+  void decide(std::size_t first, hn::Mask<Floats> uncertain, BlockPosition position) {
     if (crossed_.test(position)) return;
     std::uint64_t bits = 0;
     hn::StoreMaskBits(Floats(), uncertain, reinterpret_cast<std::uint8_t*>(&bits));
@@ -244,7 +244,7 @@ class BlockCaster {
 
   // How long the beams from i on are in a cell, as a parameter; negative for those that miss it.
   template <bool kOwn>  // whether the cell lies in the origin's own layer on some axis
-  Vector Inside(std::size_t i, const std::array<std::size_t, 3>& offset) const {
+  Vector inside_of(std::size_t i, const std::array<std::size_t, 3>& offset) const {
     const Floats d;
     Vector enter = hn::Zero(d);
     Vector leave = hn::Set(d, 1.0F);
@@ -261,8 +261,12 @@ class BlockCaster {
     return hn::Sub(leave, enter);
   }
 
-  std::size_t Stride() const { return static_cast<std::size_t>(beams_.bins) + 1; }
-  static std::array<std::size_t, 3> OffsetOf(BlockPosition position) {
+  std::size_t row_of(int face, int row_on_face) const {
+    return static_cast<std::size_t>(face) * static_cast<std::size_t>(beams_.bins) +
+           static_cast<std::size_t>(row_on_face);
+  }
+  std::size_t stride() const { return static_cast<std::size_t>(beams_.bins) + 1; }
+  static std::array<std::size_t, 3> offset_of(BlockPosition position) {
     const Cell offset = block_offset(position);
     return {static_cast<std::size_t>(offset.x()), static_cast<std::size_t>(offset.y()),
             static_cast<std::size_t>(offset.z())};
@@ -281,9 +285,9 @@ class BlockCaster {
   std::array<RowOfBeams, kMaxRows> rows_;
 };
 
-CellMask CrossedInBlock(const IndexedBeams& beams, const Cell& origin, const CellMask& asked,
-                        CrossesExactly exactly) {
-  return BlockCaster(beams, origin, exactly).Cast(asked);
+CellMask cast_block(const IndexedBeams& beams, const Cell& origin, const CellMask& asked,
+                    CrossesExactly exactly) {
+  return BlockCaster(beams, origin, exactly).cast(asked);
 }
 
 }  // namespace HWY_NAMESPACE
@@ -293,11 +297,11 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace rmap {
 
-HWY_EXPORT(CrossedInBlock);
+HWY_EXPORT(cast_block);
 
 CellMask crossed_in_block(const IndexedBeams& beams, const Cell& origin, const CellMask& asked,
                           CrossesExactly exactly) {
-  return HWY_DYNAMIC_DISPATCH(CrossedInBlock)(beams, origin, asked, exactly);
+  return HWY_DYNAMIC_DISPATCH(cast_block)(beams, origin, asked, exactly);
 }
 
 }  // namespace rmap

@@ -22,7 +22,8 @@ void DepthPyramid::add_row(std::size_t row, const float* depths) {
   const int face = static_cast<int>(row) / bins_;
   const int v = static_cast<int>(row) % bins_;
   float* above = depths_.data() + place(1, face, 0, v / 2);
-  for (int u = 0; u < bins_ / 2; ++u) {
+  const auto bins = static_cast<std::size_t>(bins_);
+  for (std::size_t u = 0; u < bins / 2; ++u) {
     const float deeper = depths[2 * u] < depths[2 * u + 1] ? depths[2 * u + 1] : depths[2 * u];
     above[u] = above[u] < deeper ? deeper : above[u];
   }
@@ -36,7 +37,7 @@ void DepthPyramid::finish() {
         const float* low = depths_.data() + place(level - 1, face, 0, 2 * v);
         const float* high = depths_.data() + place(level - 1, face, 0, 2 * v + 1);
         float* above = depths_.data() + place(level, face, 0, v);
-        for (int u = 0; u < edge; ++u) {
+        for (std::size_t u = 0; u < static_cast<std::size_t>(edge); ++u) {
           above[u] = std::max(std::max(low[2 * u], low[2 * u + 1]),
                               std::max(high[2 * u], high[2 * u + 1]));
         }
