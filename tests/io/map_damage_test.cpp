@@ -11,7 +11,6 @@ namespace {
 
 using test::expect_error;
 using test::raw;
-using test::raw_chunk;
 using test::RawChunk;
 using test::RawMap;
 

@@ -14,8 +14,9 @@ using test::Random;
 
 // The beams of a scan from one origin, plain and indexed.
 struct Indexed {
-  Indexed(const Scan& scan, const Options& options)
-      : lattice(options.resolution),
+  Indexed(const Scan& scan, const Options& with)
+      : options(with),
+        lattice(options.resolution),
         beams(scan, lattice, options),
         group(groups_by_origin(beams).front()),
         index(index_for(beams, group)) {
@@ -23,6 +24,7 @@ struct Indexed {
     index.sort(options.threads);
   }
 
+  Options options;
   Lattice lattice;
   ScanBeams beams;
   BeamGroup group;
