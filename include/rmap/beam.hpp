@@ -9,6 +9,9 @@
 
 namespace rmap {
 
+/// A component of a direction below it, in cells, counts as zero.
+inline constexpr double kZeroDirection = 0x1p-40;
+
 /// A beam in cell units, and what it crosses: the definition that every
 /// traversal must equal, bit for bit.
 ///

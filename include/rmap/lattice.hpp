@@ -16,6 +16,8 @@ class Lattice {
   explicit Lattice(double resolution);
 
   double resolution() const { return resolution_; }
+  /// 1 / resolution, rounded once: what metres are multiplied by to become cell units.
+  double inverse() const { return inverse_; }
 
   /// Metres to cell units: point * (1 / resolution), per axis, in double.
   Vector3d to_cells(const Vector3d& point) const { return point * inverse_; }

@@ -31,6 +31,13 @@ constexpr std::uint32_t bit_count(std::uint64_t word) {
 /// A set of positions in a block. A leaf branch that is a single cell uses position 0 only.
 class CellMask {
  public:
+  /// The set of one position.
+  static constexpr CellMask single(BlockPosition position) {
+    CellMask mask;
+    mask.set(position);
+    return mask;
+  }
+
   bool test(BlockPosition position) const {
     return ((words_[position / 64] >> (position % 64)) & 1) != 0;
   }
@@ -82,6 +89,20 @@ class CellMask {
       for (std::uint64_t left = words_[word]; left != 0; left &= left - 1) {
         use(word * 64 + static_cast<BlockPosition>(std::countr_zero(left)));
       }
+    }
+  }
+  /// use(position, rank) for each position of the set, ascending, with its rank in `among`,
+  /// a set that holds this one.
+  template <class Use>
+  void for_each_ranked(const CellMask& among, Use&& use) const {
+    std::uint32_t before = 0;
+    for (std::uint32_t word = 0; word < words_.size(); ++word) {
+      const std::uint64_t all = among.words_[word];
+      for (std::uint64_t left = words_[word]; left != 0; left &= left - 1) {
+        const auto place = static_cast<BlockPosition>(std::countr_zero(left));
+        use(word * 64 + place, before + bit_count(all & (bit(place) - 1)));
+      }
+      before += bit_count(all);
     }
   }
 

@@ -7,7 +7,6 @@ namespace rmap {
 
 namespace {
 
-constexpr double kZeroDirection = 0x1p-40;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 // The layer of cells in which the beam is on `axis` just after parameter t >= 0:

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "grid/cell_places.hpp"
+
 #include <vector>
 
 #include <rmap/leaf.hpp>
@@ -14,46 +16,29 @@ class BlockMarks {
     CellMask cells;
   };
 
-  BlockMarks();
-
   void add(const Cell& cell) { at(block_origin(cell)).set(block_position(cell)); }
-  void add(const BlockMarks& other);
+  void add(const BlockMarks& other) {
+    for (const Block& block : other.blocks_) at(block.origin) |= block.cells;
+  }
 
   /// Place in blocks() of a block that has marks.
-  std::size_t place_of(const Cell& origin) const { return slots_[slot_of(origin)].place - 1; }
+  std::size_t place_of(const Cell& origin) const { return places_.at(number_of(origin)); }
   /// The blocks with marks, in the order in which they got the first.
   const std::vector<Block>& blocks() const { return blocks_; }
 
  private:
+  // Blocks counted, so that the low bits tell them apart.
+  static Cell number_of(const Cell& origin) {
+    return origin.unaryExpr([](std::int32_t index) { return index / kBlockEdge; });
+  }
   CellMask& at(const Cell& origin) {
-    const std::uint32_t place = slots_[slot_of(origin)].place;
-    return blocks_[place == 0 ? added(origin) : place - 1].cells;
+    const std::uint32_t place = places_.add(number_of(origin));
+    if (place == blocks_.size()) blocks_.push_back({origin, {}});
+    return blocks_[place].cells;
   }
-  std::size_t added(const Cell& origin);
-  static std::size_t hash_of(const Cell& origin) {
-    // Blocks start at multiples of 8: the low bits say nothing.
-    const auto index = [&](int axis) { return static_cast<std::uint32_t>(origin[axis] >> 3); };
-    const std::uint32_t hash =
-        (index(0) * 0x9E3779B1U) ^ (index(1) * 0x85EBCA77U) ^ (index(2) * 0xC2B2AE3DU);
-    return hash ^ (hash >> 15);
-  }
-  // The slot that holds `origin`, or the free one where it belongs.
-  std::size_t slot_of(const Cell& origin) const {
-    std::size_t slot = hash_of(origin) & (slots_.size() - 1);
-    while (slots_[slot].place != 0 && slots_[slot].origin != origin) {
-      slot = (slot + 1) & (slots_.size() - 1);
-    }
-    return slot;
-  }
-  void grow();
 
-  struct Slot {
-    Cell origin;
-    std::uint32_t place;  ///< 1 + place in blocks_, 0 when the slot is free
-  };
-
+  CellPlaces places_;
   std::vector<Block> blocks_;
-  std::vector<Slot> slots_;  ///< open addressing; a power of two
 };
 
 }  // namespace rmap

@@ -9,11 +9,7 @@ namespace rmap {
 namespace {
 
 // A leaf of one cell always has just that cell.
-constexpr CellMask kOneCell = [] {
-  CellMask mask;
-  mask.set(0);
-  return mask;
-}();
+constexpr CellMask kOneCell = CellMask::single(0);
 
 }  // namespace
 

@@ -84,8 +84,7 @@ void Grid::set(const Cell& cell, double probability) {
 
 void Grid::set_value(const Cell& cell, Value value) {
   if (!within_limits(cell)) refuse_beyond_limits("cell", cell);
-  CellMask one;
-  one.set(block_position(cell));
+  const CellMask one = CellMask::single(block_position(cell));
   set_block(block_origin(cell), one, {&value, 1});
 }
 
@@ -110,8 +109,7 @@ void Grid::set_block(const Cell& origin, const CellMask& cells, std::span<const 
     if (!cells.none()) write(origin, cells);
     return;
   }
-  CellMask one;
-  one.set(0);
+  const CellMask one = CellMask::single(0);
   cells.for_each([&](BlockPosition position) { write(origin + block_offset(position), one); });
 }
 

@@ -4,6 +4,7 @@
 #include "grid/parallel.hpp"
 
 #include <algorithm>
+#include <optional>
 
 namespace rmap {
 
@@ -11,10 +12,8 @@ namespace {
 
 // What one thread gathers.
 struct Share {
-  explicit Share(const ScanBeams& beams) : nearest(beams) {}
-
   EndCells ends;
-  NearestEnds nearest;
+  std::optional<NearestEnds> nearest;  ///< with Beams::per_end_cell
 };
 
 // Fewer are not worth another thread.
@@ -22,6 +21,10 @@ constexpr std::size_t kLeastTiles = 8;
 
 std::size_t tiles_of(const BeamGroup& group) {
   return (group.size + PointTile::kSize - 1) / PointTile::kSize;
+}
+
+std::size_t ranges_of(const BeamGroup& group, int threads) {
+  return std::max<std::size_t>(1, range_count(threads, tiles_of(group), kLeastTiles));
 }
 
 // work(range, begin, end) over the places of a group, ranges starting with whole tiles.
@@ -38,9 +41,14 @@ void for_each_range_of(const BeamGroup& group, int threads, const Work& work) {
 
 EndCells gather_end_cells(const ScanBeams& beams, std::span<const BeamGroup> groups,
                           BeamIndex* index) {
-  const int threads = thread_count(beams.options().threads);
+  const int threads = beams.options().threads;
   const bool chooses = beams.options().beams == Beams::per_end_cell;
-  std::vector<Share> shares(static_cast<std::size_t>(threads), Share(beams));
+  std::size_t ranges = 1;
+  for (const BeamGroup& group : groups) ranges = std::max(ranges, ranges_of(group, threads));
+  std::vector<Share> shares(ranges);
+  for (Share& share : shares) {
+    if (chooses) share.nearest.emplace(beams);
+  }
   for (const BeamGroup& group : groups) {
     for_each_range_of(group, threads, [&](std::size_t range, std::size_t begin, std::size_t end) {
       Share& share = shares[range];
@@ -50,7 +58,7 @@ EndCells gather_end_cells(const ScanBeams& beams, std::span<const BeamGroup> gro
         share.ends.inserted += tile.ends.count();
         if (index != nullptr) index->add(tile, place, range);
         if (!chooses) return;
-        share.nearest.add(tile);
+        share.nearest->add(tile);
         tile.cuts.for_each([&](std::size_t i) { share.ends.chosen.push_back(tile.number(i)); });
       });
       share.ends.cut += loader.cut();
@@ -59,17 +67,16 @@ EndCells gather_end_cells(const ScanBeams& beams, std::span<const BeamGroup> gro
   }
 
   EndCells all = std::move(shares.front().ends);
-  NearestEnds& nearest = shares.front().nearest;
   for (const Share& share : std::span(shares).subspan(1)) {
     all.cells.add(share.ends.cells);
     all.inserted += share.ends.inserted;
     all.cut += share.ends.cut;
     all.skipped += share.ends.skipped;
     all.chosen.insert(all.chosen.end(), share.ends.chosen.begin(), share.ends.chosen.end());
-    nearest.add(share.nearest);
+    if (chooses) shares.front().nearest->add(*share.nearest);
   }
   if (chooses) {
-    const std::vector<std::uint32_t> kept = nearest.numbers();
+    const std::vector<std::uint32_t> kept = shares.front().nearest->numbers();
     all.chosen.insert(all.chosen.end(), kept.begin(), kept.end());
     std::sort(all.chosen.begin(), all.chosen.end());
   }
@@ -77,20 +84,18 @@ EndCells gather_end_cells(const ScanBeams& beams, std::span<const BeamGroup> gro
 }
 
 BeamIndex index_for(const ScanBeams& beams, const BeamGroup& group) {
-  return BeamIndex(
-      beams.lattice().to_cells(group.origin), group.size,
-      std::max<std::size_t>(1, range_count(beams.options().threads, tiles_of(group), kLeastTiles)));
+  return BeamIndex(beams.lattice().to_cells(group.origin), group.size,
+                   ranges_of(group, beams.options().threads));
 }
 
 void index_beams(const ScanBeams& beams, const BeamGroup& group, BeamIndex& index) {
-  for_each_range_of(group, thread_count(beams.options().threads),
-                    [&](std::size_t range, std::size_t begin, std::size_t end) {
-                      TileLoader loader(beams, group.origin);
-                      for_each_tile(group, begin, end, loader,
-                                    [&](const PointTile& tile, std::size_t place) {
-                                      index.add(tile, place, range);
-                                    });
-                    });
+  for_each_range_of(
+      group, beams.options().threads, [&](std::size_t range, std::size_t begin, std::size_t end) {
+        TileLoader loader(beams, group.origin);
+        for_each_tile(group, begin, end, loader, [&](const PointTile& tile, std::size_t place) {
+          index.add(tile, place, range);
+        });
+      });
 }
 
 }  // namespace rmap

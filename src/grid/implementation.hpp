@@ -80,24 +80,17 @@ template <class Change>
 std::uint64_t Grid::Implementation::update(LeafId id, const Cell& origin, const CellMask& cells,
                                            const CellMask& created, Change&& change) {
   const CellMask existing = *store->leaf(id, origin).cells;
-  Value* values = store->values(id).data();
+  const std::span<Value> values = store->values(id);
   std::uint64_t changed = 0;
-  for (std::uint32_t word = 0; word < existing.words().size(); ++word) {
-    const std::uint64_t there = existing.words()[word];
-    const std::uint64_t fresh = created.words()[word];
-    for (std::uint64_t left = cells.words()[word]; left != 0; left &= left - 1) {
-      const std::uint64_t bit = left & (~left + 1);
-      Value& value = values[bit_count(there & (bit - 1))];
-      const BlockPosition position = word * 64 + static_cast<BlockPosition>(std::countr_zero(left));
-      const Cell cell = origin + block_offset(position);
-      const Value before = value;
-      const bool is_new = (fresh & bit) != 0;
-      value = change(cell, before);
-      if (value != before || is_new) ++changed;
-      if (rule.occupied(value) != (!is_new && rule.occupied(before))) log.flipped(cell);
-    }
-    values += bit_count(there);
-  }
+  cells.for_each_ranked(existing, [&](BlockPosition position, std::uint32_t rank) {
+    Value& value = values[rank];
+    const Cell cell = origin + block_offset(position);
+    const Value before = value;
+    const bool is_new = created.test(position);
+    value = change(cell, before);
+    if (value != before || is_new) ++changed;
+    if (rule.occupied(value) != (!is_new && rule.occupied(before))) log.flipped(cell);
+  });
   if (changed > 0) store->set_stamp(id, log.stamp());
   return changed;
 }

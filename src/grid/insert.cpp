@@ -19,9 +19,7 @@ void for_each_leaf(const BlockMarks& cells, const LeafStore& store, Use&& use) {
       continue;
     }
     block.cells.for_each([&](BlockPosition position) {
-      CellMask one;
-      one.set(0);
-      use(Cell(block.origin + block_offset(position)), one);
+      use(Cell(block.origin + block_offset(position)), CellMask::single(0));
     });
   }
 }

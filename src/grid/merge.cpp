@@ -30,8 +30,7 @@ void Grid::merge(const Grid& other) {
   // The other map may lie in memory another way: its cells come leaf by leaf of this one.
   other.visit_leaves(all_cells(), [&](const Leaf& theirs) {
     theirs.for_each([&](const Cell& cell, Value value) {
-      CellMask one;
-      one.set(grid.store->position_of(cell));
+      const CellMask one = CellMask::single(grid.store->position_of(cell));
       const Cell origin = grid.store->origin_of(cell);
       const LeafStore::Ensured leaf = grid.store->ensure(origin, one, value);
       const bool is_new = !leaf.created.none();

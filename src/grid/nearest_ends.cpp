@@ -7,13 +7,11 @@ namespace rmap {
 
 namespace {
 
-constexpr std::size_t kFirstSlots = 4096;
-
 auto coordinates(const Vector3d& point) { return std::make_tuple(point.x(), point.y(), point.z()); }
 
 }  // namespace
 
-NearestEnds::NearestEnds(const ScanBeams& beams) : beams_(&beams), slots_(kFirstSlots, 0) {}
+NearestEnds::NearestEnds(const ScanBeams& beams) : beams_(&beams) {}
 
 void NearestEnds::add(const PointTile& tile) {
   tile.ends.for_each([&](std::size_t i) {
@@ -29,19 +27,12 @@ void NearestEnds::add(const NearestEnds& other) {
 }
 
 void NearestEnds::add(const Entry& entry) {
-  // Neighbouring points mostly end in one cell.
-  if (last_ >= entries_.size() || entries_[last_].cell != entry.cell) {
-    const std::size_t slot = slot_of(entry.cell);
-    if (slots_[slot] == 0) {
-      last_ = entries_.size();
-      entries_.push_back(entry);
-      slots_[slot] = static_cast<std::uint32_t>(entries_.size());
-      if (2 * entries_.size() > slots_.size()) grow();
-      return;
-    }
-    last_ = slots_[slot] - 1;
+  const std::uint32_t place = places_.add(entry.cell);
+  if (place == entries_.size()) {
+    entries_.push_back(entry);
+  } else if (is_nearer(entry, entries_[place])) {
+    entries_[place] = entry;
   }
-  if (is_nearer(entry, entries_[last_])) entries_[last_] = entry;
 }
 
 bool NearestEnds::is_nearer(const Entry& a, const Entry& b) const {
@@ -58,22 +49,6 @@ std::vector<std::uint32_t> NearestEnds::numbers() const {
   for (const Entry& entry : entries_) numbers.push_back(entry.number);
   std::sort(numbers.begin(), numbers.end());
   return numbers;
-}
-
-std::size_t NearestEnds::slot_of(const Cell& cell) const {
-  std::size_t slot = CellHash()(cell);
-  while (true) {
-    slot &= slots_.size() - 1;
-    if (slots_[slot] == 0 || entries_[slots_[slot] - 1].cell == cell) return slot;
-    ++slot;
-  }
-}
-
-void NearestEnds::grow() {
-  slots_.assign(2 * slots_.size(), 0);
-  for (std::size_t i = 0; i < entries_.size(); ++i) {
-    slots_[slot_of(entries_[i].cell)] = static_cast<std::uint32_t>(i + 1);
-  }
 }
 
 }  // namespace rmap

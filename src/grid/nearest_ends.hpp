@@ -1,5 +1,6 @@
 #pragma once
 
+#include "grid/cell_places.hpp"
 #include "grid/point_tile.hpp"
 #include "grid/scan_beams.hpp"
 
@@ -30,13 +31,10 @@ class NearestEnds {
 
   void add(const Entry& entry);
   bool is_nearer(const Entry& a, const Entry& b) const;
-  std::size_t slot_of(const Cell& cell) const;
-  void grow();
 
   const ScanBeams* beams_;
+  CellPlaces places_;
   std::vector<Entry> entries_;
-  std::vector<std::uint32_t> slots_;  ///< 1 + place in entries_, 0 when free: open addressing
-  std::size_t last_ = 0;
 };
 
 }  // namespace rmap

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <limits>
 
+#include <rmap/beam.hpp>
+
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "grid/point_kernel.cpp"
 #include <hwy/foreach_target.h>
@@ -53,7 +55,8 @@ class PointKernel {
       good = hn::And(good, hn::And(hn::Ge(floor, hn::Set(d, double{kMinCellIndex})),
                                    hn::Le(floor, hn::Set(d, double{kMaxCellIndex}))));
       Wide direction = hn::Sub(end, hn::Set(d, input_.origin_in_cells[at]));
-      direction = hn::IfThenElse(hn::Lt(hn::Abs(direction), hn::Set(d, 0x1p-40)), zero, direction);
+      direction =
+          hn::IfThenElse(hn::Lt(hn::Abs(direction), hn::Set(d, kZeroDirection)), zero, direction);
       has_direction = hn::Or(has_direction, hn::Ne(direction, zero));
       hn::Store(end, d, tile_.end[axis].data() + i);
       hn::Store(hn::DemoteTo(Ints(), floor), Ints(), tile_.cell[axis].data() + i);

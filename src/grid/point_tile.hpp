@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <span>
 
-#include <rmap/cell.hpp>
+#include <rmap/leaf.hpp>
 
 namespace rmap {
 
@@ -21,9 +21,9 @@ class TileMask {
     words_[first / 64] |= group << (first % 64);
   }
   std::size_t count() const {
-    int count = 0;
-    for (const std::uint64_t word : words_) count += std::popcount(word);
-    return static_cast<std::size_t>(count);
+    std::size_t count = 0;
+    for (const std::uint64_t word : words_) count += bit_count(word);
+    return count;
   }
   /// use(i) for each place of the set, ascending.
   template <class Use>

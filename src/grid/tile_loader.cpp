@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cassert>
-#include <cmath>
 
 namespace rmap {
 
@@ -17,7 +16,7 @@ PointKernelInput kernel_input(const ScanBeams& beams, const Vector3d& origin) {
       .moves = scan.frame == Frame::sensor,
       .origin = origin,
       .origin_in_cells = beams.lattice().to_cells(origin),
-      .inverse = 1 / beams.lattice().resolution(),
+      .inverse = beams.lattice().inverse(),
       .min_range = beams.options().min_range,
       .max_range = beams.options().max_range,
   };
@@ -85,10 +84,11 @@ void TileLoader::fill(PointTile& tile) {
     } else if (is_cut) {
       tile.cut_at_origin = true;
     }
+    const Cell cell = *cell_at(point.end);
     for (std::size_t axis = 0; axis < 3; ++axis) {
       const auto at = static_cast<Eigen::Index>(axis);
       tile.end[axis][i] = point.end[at];
-      tile.cell[axis][i] = static_cast<std::int32_t>(std::floor(point.end[at]));
+      tile.cell[axis][i] = cell[at];
       tile.direction[axis][i] = static_cast<float>(beam.direction()[at]);
     }
   });

@@ -61,6 +61,16 @@ TEST(CellMask, IsASetOfPositions) {
       ASSERT_EQ(both.test(position), in_a || in_b);
       rank += in_a ? 1 : 0;
     }
+    std::size_t ranked = 0;
+    (mask_a & mask_b).for_each_ranked(mask_a, [&](BlockPosition position, std::uint32_t place) {
+      ASSERT_TRUE(a.contains(position) && b.contains(position));
+      ASSERT_EQ(place, mask_a.rank(position));
+      ++ranked;
+    });
+    ASSERT_EQ(ranked, (mask_a & mask_b).count());
+    CellMask one;
+    one.set(static_cast<BlockPosition>(round));
+    ASSERT_EQ(CellMask::single(static_cast<BlockPosition>(round)), one);
   }
 }
 

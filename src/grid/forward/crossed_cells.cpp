@@ -2,6 +2,8 @@
 
 #include "grid/parallel.hpp"
 
+#include <algorithm>
+
 namespace rmap {
 
 namespace {
@@ -26,7 +28,7 @@ void mark_crossed(const LeafStore& store, const Beam& beam, const LeafMarks& hit
 
 LeafMarks crossed_cells(const LeafStore& store, const ScanBeams& beams,
                         std::span<const std::uint32_t> numbers, const LeafMarks& hit, int threads) {
-  const auto ranges = static_cast<std::size_t>(thread_count(threads));
+  const std::size_t ranges = std::max<std::size_t>(1, range_count(threads, numbers.size()));
   std::vector<LeafMarks> found(ranges, LeafMarks(store.id_limit()));
   for_each_range(threads, numbers.size(),
                  [&](std::size_t range, std::size_t begin, std::size_t end) {

@@ -143,16 +143,10 @@ bool BeamIndex::may_reach(const CellBox& box) const {
     slabs[axis] = cube_map::slab(box.min[at], box.max[at], origin_[at]);
   }
   for (int face = 0; face < cube_map::kFaces; ++face) {
-    const cube_map::Axes axes = cube_map::axes_of(face);
-    const cube_map::Depths depths = cube_map::depths(slabs[axes.depth], face);
-    if (depths.far <= 0) continue;
-    const cube_map::Bins u =
-        cube_map::bins_of(cube_map::range(slabs[axes.u], depths), 1 << bin_bits_);
-    if (u.first > u.last) continue;
-    const cube_map::Bins v =
-        cube_map::bins_of(cube_map::range(slabs[axes.v], depths), 1 << bin_bits_);
-    if (v.first > v.last) continue;
-    if (depth_.reaches(face, u, v, depths.near * (1 - cube_map::kWiden))) return true;
+    const auto print = cube_map::footprint(slabs, face, 1 << bin_bits_);
+    if (print && depth_.reaches(face, print->u, print->v, print->near * (1 - cube_map::kWiden))) {
+      return true;
+    }
   }
   return false;
 }

@@ -33,16 +33,11 @@ struct Candidates {
 
 // The cells of a leaf that a crossing beam would change.
 CellMask open_cells(const Leaf& leaf, const CellMask* hits, const UpdateRule& rule) {
-  CellMask open = hits == nullptr ? *leaf.cells : leaf.cells->without(*hits);
-  const Value* values = leaf.values;
-  for (std::size_t word = 0; word < open.words().size(); ++word) {
-    const std::uint64_t there = leaf.cells->words()[word];
-    for (std::uint64_t left = open.words()[word]; left != 0; left &= left - 1) {
-      const std::uint64_t bit = left & (~left + 1);
-      if (rule.settled(values[bit_count(there & (bit - 1))])) open.words()[word] ^= bit;
-    }
-    values += bit_count(there);
-  }
+  const CellMask left = hits == nullptr ? *leaf.cells : leaf.cells->without(*hits);
+  CellMask open = left;
+  left.for_each_ranked(*leaf.cells, [&](BlockPosition position, std::uint32_t rank) {
+    if (rule.settled(leaf.values[rank])) open.reset(position);
+  });
   return open;
 }
 
@@ -111,7 +106,8 @@ std::vector<MarkedLeaf> cast(const LeafStore& store, const ScanBeams& beams, con
     return crosses(*beams.beam(number), cell);
   };
   const Cell origin_cell = index.beams().origin_cell;
-  std::vector<std::vector<MarkedLeaf>> found(static_cast<std::size_t>(thread_count(threads)));
+  std::vector<std::vector<MarkedLeaf>> found(
+      std::max<std::size_t>(1, range_count(threads, candidates.blocks.size(), kLeastBlocks)));
   for_each_range(
       threads, candidates.blocks.size(), kLeastBlocks,
       [&](std::size_t range, std::size_t begin, std::size_t end) {
@@ -119,9 +115,7 @@ std::vector<MarkedLeaf> cast(const LeafStore& store, const ScanBeams& beams, con
         for (const Candidate& block : std::span(candidates.blocks).subspan(begin, end - begin)) {
           CellMask crossed = crossed_in_block(index.beams(), block.origin, block.asked, exactly);
           if (index.has_cut_at_origin() && block_origin(origin_cell) == block.origin) {
-            CellMask own;
-            own.set(block_position(origin_cell));
-            crossed |= own & block.asked;
+            crossed |= CellMask::single(block_position(origin_cell)) & block.asked;
           }
           if (crossed.none()) continue;
           for (const CandidateLeaf& leaf :
@@ -129,9 +123,8 @@ std::vector<MarkedLeaf> cast(const LeafStore& store, const ScanBeams& beams, con
             if (has_blocks) {
               marked.push_back({leaf.id, block.origin, crossed});
             } else if (crossed.test(leaf.position)) {
-              MarkedLeaf one{leaf.id, block.origin + block_offset(leaf.position), {}};
-              one.cells.set(0);
-              marked.push_back(one);
+              marked.push_back(
+                  {leaf.id, block.origin + block_offset(leaf.position), CellMask::single(0)});
             }
           }
         }

@@ -60,8 +60,9 @@ AxisPlanes planes_of(std::int32_t first, double origin, std::int32_t origin_laye
       planes.own_low = std::min(low, -kLeast);
       planes.own = i;
     }
-    planes.low[i] = low - cube_map::kTiny;
-    planes.high[i] = high + cube_map::kTiny;
+    const cube_map::Slab slab = cube_map::slab(layer, layer + 1.0, origin);
+    planes.low[i] = slab.low;
+    planes.high[i] = slab.high;
   }
   return planes;
 }
@@ -126,9 +127,11 @@ class BlockCaster {
   }
 
   CellMask cast(const CellMask& asked) {
+    const std::array<cube_map::Slab, 3> block{planes_[0].slab(), planes_[1].slab(),
+                                              planes_[2].slab()};
     for (int face = 0; face < cube_map::kFaces; ++face) {
+      if (!cube_map::footprint(block, face, beams_.bins)) continue;
       const cube_map::Axes axes = cube_map::axes_of(face);
-      if (!touches(face, axes)) continue;
       filled_ = 0;
       asked.without(crossed_).for_each(
           [&](BlockPosition position) { cover(face, axes, position); });
@@ -142,15 +145,6 @@ class BlockCaster {
 
   static constexpr std::size_t kMaxRows = 1024;
   static constexpr int kManyRows = 4;
-
-  // Whether the block lies on a face.
-  bool touches(int face, const cube_map::Axes& axes) const {
-    const cube_map::Depths depths = cube_map::depths(planes_[axes.depth].slab(), face);
-    if (depths.far <= 0) return false;
-    const auto u = cube_map::bins_of(cube_map::range(planes_[axes.u].slab(), depths), beams_.bins);
-    const auto v = cube_map::bins_of(cube_map::range(planes_[axes.v].slab(), depths), beams_.bins);
-    return u.first <= u.last && v.first <= v.last;
-  }
 
   // Fills the tables for a depth layer unless they are.
   void fill(std::size_t layer, int face, const cube_map::Axes& axes) {

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <limits>
+#include <optional>
 
 #include <rmap/cell.hpp>
 
@@ -76,6 +77,23 @@ inline Bins bins_of(const Range& range, int bins) {
   const float first_bin = std::clamp((range.min + (1 - kWiden)) * half, 0.0F, last + 1);
   const float last_bin = std::clamp((range.max + (1 + kWiden)) * half, -1.0F, last);
   return {static_cast<int>(first_bin), last_bin < 0 ? -1 : static_cast<int>(last_bin)};
+}
+
+/// What a box covers of a face.
+struct Footprint {
+  float near;  ///< its least depth there
+  Bins u, v;
+};
+/// Nothing when the box, one slab an axis, does not lie on the face.
+inline std::optional<Footprint> footprint(const std::array<Slab, 3>& box, int face, int bins) {
+  const Axes axes = axes_of(face);
+  const Depths within = depths(box[axes.depth], face);
+  if (within.far <= 0) return std::nullopt;
+  const Bins u = bins_of(range(box[axes.u], within), bins);
+  if (u.first > u.last) return std::nullopt;
+  const Bins v = bins_of(range(box[axes.v], within), bins);
+  if (v.first > v.last) return std::nullopt;
+  return Footprint{within.near, u, v};
 }
 
 }  // namespace rmap::cube_map
