@@ -9,11 +9,13 @@ namespace rmap::bench {
 
 namespace {
 
+std::atomic<bool> counts = false;
 std::atomic<std::size_t> taken_bytes = 0;
 std::atomic<std::size_t> peak_bytes = 0;
 
 void* counted(void* memory) {
   if (memory == nullptr) throw std::bad_alloc();
+  if (!counts.load(std::memory_order_relaxed)) return memory;
   const std::size_t size = malloc_usable_size(memory);
   const std::size_t now = taken_bytes.fetch_add(size) + size;
   std::size_t peak = peak_bytes.load();
@@ -23,14 +25,22 @@ void* counted(void* memory) {
 }
 
 void uncounted(void* memory) {
-  if (memory != nullptr) taken_bytes.fetch_sub(malloc_usable_size(memory));
+  if (memory != nullptr && counts.load(std::memory_order_relaxed)) {
+    taken_bytes.fetch_sub(malloc_usable_size(memory));
+  }
   std::free(memory);
 }
 
 }  // namespace
 
-HeapUse heap_use() { return {.taken = taken_bytes.load(), .peak = peak_bytes.load()}; }
-void reset_heap_peak() { peak_bytes = taken_bytes.load(); }
+HeapCount::HeapCount() {
+  taken_bytes = 0;
+  peak_bytes = 0;
+  counts = true;
+}
+HeapCount::~HeapCount() { counts = false; }
+std::size_t HeapCount::in_use() const { return taken_bytes.load(); }
+std::size_t HeapCount::peak() const { return peak_bytes.load(); }
 
 }  // namespace rmap::bench
 

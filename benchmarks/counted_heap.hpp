@@ -4,15 +4,20 @@
 
 namespace rmap::bench {
 
-/// Bytes that the program holds from operator new just now, with the allocator's
-/// rounding, and the most it has held. Every new and delete of the program is counted.
-struct HeapUse {
-  std::size_t taken = 0;
-  std::size_t peak = 0;
-};
+/// Counts what the program holds from operator new, with the allocator's rounding.
+/// Only while it lives: uncounted, new and delete cost as ever. One at a time; memory
+/// that was taken before must not be given back meanwhile.
+class HeapCount {
+ public:
+  HeapCount();
+  HeapCount(const HeapCount&) = delete;
+  HeapCount& operator=(const HeapCount&) = delete;
+  ~HeapCount();
 
-HeapUse heap_use();
-/// Starts a new peak at what is held now.
-void reset_heap_peak();
+  /// Bytes held now of what was taken since the start.
+  std::size_t in_use() const;
+  /// The most that was held at a time.
+  std::size_t peak() const;
+};
 
 }  // namespace rmap::bench

@@ -1,0 +1,7 @@
+#include "mappers/mapper.hpp"
+
+namespace rmap::bench {
+
+std::vector<Contender> openvdb_contenders() { return {}; }
+
+}  // namespace rmap::bench
