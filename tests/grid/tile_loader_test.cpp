@@ -3,8 +3,9 @@
 #include "support/scans.hpp"
 #include "support/simd_targets.hpp"
 
+#include <bit>
 #include <cmath>
-#include <cstring>
+#include <cstdint>
 #include <limits>
 
 #include <gtest/gtest.h>
@@ -14,7 +15,9 @@ namespace {
 
 using test::Random;
 
-bool same_bits(double a, double b) { return std::memcmp(&a, &b, sizeof(a)) == 0; }
+bool same_bits(double a, double b) {
+  return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
+}
 
 // Compares a tile with the definition, place by place; returns how many had a beam.
 int expect_definition(const PointTile& tile, const ScanBeams& beams) {

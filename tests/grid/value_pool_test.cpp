@@ -51,7 +51,7 @@ TEST(ValuePool, RunsKeepTheirContent) {
   for (const Lease& run : runs) ASSERT_TRUE(holds(copy, run));
   // All that is neither live nor listed as free: granules' ends and the last page.
   EXPECT_LT(pool.bytes_in_use(), (live + pool.free_values()) * sizeof(Value) + runs.size() * 6 +
-                                     3 * 16384 + pool.bytes_in_use() / 512);
+                                     3UL * 16384 + pool.bytes_in_use() / 512);
 }
 
 TEST(ValuePool, UsesFreedMemoryAgain) {

@@ -2,6 +2,7 @@
 
 #include "io/files.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <rmap/scan_files.hpp>
@@ -28,7 +29,7 @@ TEST(PointFormats, refuses_other_endings) {
   for (const std::string ending : {"", ".txt", ".rmap"}) {
     const std::string file = folder / ("a" + ending);
     const std::string sentence =
-        "the ending of " + file + " is \"" + ending + "\", where .bin and .pcd are allowed";
+        fmt::format("the ending of {} is \"{}\", where .bin and .pcd are allowed", file, ending);
     expect_error(ErrorKind::input, sentence, [&] { read_points(file); });
     expect_error(ErrorKind::input, sentence, [&] { write_points(file, {}); });
   }

@@ -40,7 +40,7 @@ TEST(PoseFile, reads_each_form) {
                                           "1403636579.763555527 5 6 7 0 0 2 2"};
   for (const std::string& form : forms) {
     SCOPED_TRACE(form);
-    const auto poses = read_text_as_poses(form + "\n" + form + "\n");
+    const auto poses = read_text_as_poses(fmt::format("{0}\n{0}\n", form));
     ASSERT_EQ(poses.size(), 2u);
     expect_quarter_turn(poses[0]);
     expect_quarter_turn(poses[1]);

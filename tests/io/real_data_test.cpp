@@ -69,7 +69,7 @@ struct Cloud {
 TEST(RealData, clouds_have_their_points) {
   const auto folder = test::real_data("clouds");
   if (folder.empty()) GTEST_SKIP() << "the real data are missing: RMAP_DATA names their folder";
-  const std::vector<Cloud> clouds = {{"office1_viewpoint.pcd", 640 * 480, 254456},
+  const std::vector<Cloud> clouds = {{"office1_viewpoint.pcd", std::size_t{640} * 480, 254456},
                                      {"bun0_ascii.pcd", 397, 397},
                                      {"city_samp12_utm.pcd", 52119, 52119}};
   for (const Cloud& cloud : clouds) {

@@ -23,7 +23,7 @@ static_assert(std::movable<ScanRange> && !std::copyable<ScanRange>);
 static_assert(std::is_same_v<std::ranges::range_reference_t<ScanRange>, const Scan&>);
 
 // A folder of scans that are known by the x of their only point.
-void write_folder(const std::filesystem::path& folder, std::vector<float> xs) {
+void write_folder(const std::filesystem::path& folder, const std::vector<float>& xs) {
   ScanFolderWriter writer(folder);
   for (const float x : xs) writer.add({.points = {{x, 0, 0}}});
   writer.finish();

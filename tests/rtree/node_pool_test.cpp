@@ -81,8 +81,8 @@ TEST(NodePool, CubesTakeHalfTheColumns) {
   with_boxes.allocate();
   with_cubes.allocate();
   // 4 + 64 * (24 + 4) = 1796 bytes, 8 a page; 4 + 64 * (12 + 4) = 1028 bytes, 8 a page.
-  EXPECT_EQ(with_boxes.bytes_in_use(), 8 * 1796 + sizeof(void*));
-  EXPECT_EQ(with_cubes.bytes_in_use(), 8 * 1028 + sizeof(void*));
+  EXPECT_EQ(with_boxes.bytes_in_use(), 8UL * 1796 + sizeof(void*));
+  EXPECT_EQ(with_cubes.bytes_in_use(), 8UL * 1028 + sizeof(void*));
 }
 
 }  // namespace

@@ -9,7 +9,6 @@
 namespace rmap {
 namespace {
 
-using test::Data;
 using test::Random;
 
 TEST(UnionVolume, EqualsACountOfCells) {

@@ -56,7 +56,8 @@ TEST(Sensor, spinning_lidar_turns_left_and_spreads_its_channels_evenly) {
   ASSERT_EQ(beams.size(), 40u);
   for (int step = 0; step < 8; ++step) {
     for (int channel = 0; channel < 5; ++channel) {
-      const Vector3d& beam = beams[static_cast<std::size_t>(step * 5 + channel)];
+      const Vector3d& beam =
+          beams[5 * static_cast<std::size_t>(step) + static_cast<std::size_t>(channel)];
       EXPECT_NEAR(elevation_of(beam), -20 + 15 * channel, 1e-12);
       const double turned = std::remainder(azimuth_of(beam) - 45 * step, 360);
       EXPECT_NEAR(turned, 0, 1e-12);
@@ -77,7 +78,7 @@ TEST(Sensor, depth_camera_looks_through_the_centres_of_its_pixels) {
   ASSERT_EQ(beams.size(), 35u);
   for (int v = 0; v < 5; ++v) {
     for (int u = 0; u < 7; ++u) {
-      const Vector3d& beam = beams[static_cast<std::size_t>(v * 7 + u)];
+      const Vector3d& beam = beams[7 * static_cast<std::size_t>(v) + static_cast<std::size_t>(u)];
       EXPECT_GT(beam.z(), 0);
       EXPECT_NEAR(beam.x() / beam.z() * 10 + 3, u, 1e-13);
       EXPECT_NEAR(beam.y() / beam.z() * 20 + 1.5, v, 1e-13);

@@ -98,7 +98,7 @@ TEST(Simulation, scans_are_the_same_in_any_order_and_from_copies) {
     std::vector<Scan> forward;
     for (const Scan& scan : simulation) forward.push_back(scan);
     ASSERT_EQ(forward.size(), 6u);
-    const Simulation copy = simulation;
+    const Simulation copy = simulation;  // NOLINT(performance-unnecessary-copy-initialization)
     const Simulation again = make_simulation(
         "moving", {.scans = 6, .sensor = sensor, .noise = 0.02, .dropped = 0.1, .seed = 3});
     for (std::size_t i = 6; i-- > 0;) {

@@ -73,7 +73,7 @@ TEST(BeamIndex, HoldsEachBeamOnceInTheBinOfItsDirection) {
       for (int row = 0; row < rows; ++row) {
         if (sorted.row_used[row] == 0) continue;
         const cube_map::Axes axes = cube_map::axes_of(row / sorted.bins);
-        const std::uint32_t* borders = sorted.borders + row * (sorted.bins + 1);
+        const std::uint32_t* borders = sorted.borders + std::ptrdiff_t{row} * (sorted.bins + 1);
         for (int u = 0; u < sorted.bins; ++u) {
           for (std::uint32_t i = borders[u]; i < borders[u + 1]; ++i) {
             ++seen[sorted.number[i]];

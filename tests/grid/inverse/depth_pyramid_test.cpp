@@ -15,7 +15,7 @@ TEST(DepthPyramid, ReachesAtLeastAsDeepAsTheBinsOfARectangle) {
   int not_reached = 0;
   for (int round = 0; round < 20; ++round) {
     DepthPyramid pyramid(kBins);
-    std::vector<std::vector<float>> rows(cube_map::kFaces * kBins);
+    std::vector<std::vector<float>> rows(std::size_t{cube_map::kFaces} * kBins);
     for (std::size_t row = 0; row < rows.size(); ++row) {
       if (random.chance(0.7)) continue;
       for (int u = 0; u < kBins; ++u) {
@@ -32,7 +32,8 @@ TEST(DepthPyramid, ReachesAtLeastAsDeepAsTheBinsOfARectangle) {
       const cube_map::Bins vs{v, random.integer(v, i % 3 == 0 ? v : kBins - 1)};
       float deepest = 0;
       for (int row = vs.first; row <= vs.last; ++row) {
-        const auto& depths = rows[static_cast<std::size_t>(face * kBins + row)];
+        const auto& depths =
+            rows[static_cast<std::size_t>(face) * kBins + static_cast<std::size_t>(row)];
         if (depths.empty()) continue;
         for (int bin = us.first; bin <= us.last; ++bin) {
           deepest = std::max(deepest, depths[static_cast<std::size_t>(bin)]);
