@@ -1,10 +1,156 @@
 #include "rtree/node_tests.hpp"
 
-#include <algorithm>
-#include <cstddef>
-#include <limits>
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "rtree/node_tests.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
 
+HWY_BEFORE_NAMESPACE();
 namespace rmap::node_tests {
+namespace HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+// What a branch's box is to a box that is asked for; on one axis, by the sides of both.
+struct Overlapping {
+  template <class V>
+  auto operator()(V min, V max, V low, V high) const {
+    return hn::And(hn::Gt(max, low), hn::Lt(min, high));
+  }
+};
+struct ContainedIn {
+  template <class V>
+  auto operator()(V min, V max, V low, V high) const {
+    return hn::Not(hn::Or(hn::Lt(min, low), hn::Gt(max, high)));
+  }
+};
+struct Enclosing {
+  template <class V>
+  auto operator()(V min, V max, V low, V high) const {
+    return hn::Not(hn::Or(hn::Gt(min, low), hn::Lt(max, high)));
+  }
+};
+struct EqualTo {
+  template <class V>
+  auto operator()(V min, V max, V low, V high) const {
+    return hn::And(hn::Eq(min, low), hn::Eq(max, high));
+  }
+};
+
+template <class D>
+std::uint64_t bits_of(D d, hn::Mask<D> mask) {
+  std::uint64_t bits = 0;
+  hn::StoreMaskBits(d, mask, reinterpret_cast<std::uint8_t*>(&bits));
+  return bits;
+}
+
+// Walks the branches from `first` on by vectors of at most kLanes, as long as these stay in the
+// node's columns, which go on behind its branches; then by shorter ones. work(d, first) is given
+// the tag of the vectors.
+template <class T, std::size_t kLanes, class Work>
+void by_vectors(const BranchColumns& columns, std::size_t first, const Work& work) {
+  const hn::CappedTag<T, kLanes> d;
+  const auto count = static_cast<std::size_t>(columns.count);
+  const auto room = static_cast<std::size_t>(columns.min[1] - columns.min[0]);
+  for (; first < count && first + hn::Lanes(d) <= room; first += hn::Lanes(d)) work(d, first);
+  if constexpr (kLanes > 1) {
+    if (first < count) by_vectors<T, kLanes / 2>(columns, first, work);
+  }
+}
+
+template <class Relation>
+std::uint64_t related(const BranchColumns& columns, const CellBox& box) {
+  std::uint64_t mask = 0;
+  by_vectors<std::int32_t, 16>(columns, 0, [&](auto d, std::size_t first) {
+    const auto on_axis = [&](std::size_t axis) {
+      const auto at = static_cast<int>(axis);
+      const auto min = hn::LoadU(d, columns.min[axis] + first);
+      const auto max = hn::Add(hn::LoadU(d, columns.max[axis] + first), hn::Set(d, columns.added));
+      return Relation()(min, max, hn::Set(d, box.min[at]), hn::Set(d, box.max[at]));
+    };
+    const auto on_all = hn::And(on_axis(0), hn::And(on_axis(1), on_axis(2)));
+    mask |= bits_of(d, on_all) << first;
+  });
+  return mask & all(columns);
+}
+
+std::uint64_t overlapping(const BranchColumns& columns, const CellBox& region) {
+  return related<Overlapping>(columns, region);
+}
+std::uint64_t contained_in(const BranchColumns& columns, const CellBox& region) {
+  return related<ContainedIn>(columns, region);
+}
+std::uint64_t enclosing(const BranchColumns& columns, const CellBox& box) {
+  return related<Enclosing>(columns, box);
+}
+std::uint64_t equal_to(const BranchColumns& columns, const CellBox& box) {
+  return related<EqualTo>(columns, box);
+}
+
+std::uint64_t crossed(const BranchColumns& columns, const Beam& beam, Measures& enter) {
+  if (beam.crosses_nothing()) return 0;
+  std::uint64_t mask = 0;
+  by_vectors<double, 8>(columns, 0, [&](auto d, std::size_t first) {
+    const hn::Rebind<std::int32_t, decltype(d)> di;
+    auto entered = hn::Zero(d);
+    auto left = hn::Set(d, 1.0);
+    auto in_layer = hn::Eq(entered, entered);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const auto at = static_cast<int>(axis);
+      const auto min = hn::LoadU(di, columns.min[axis] + first);
+      const auto max =
+          hn::Add(hn::LoadU(di, columns.max[axis] + first), hn::Set(di, columns.added));
+      const double direction = beam.direction()[at];
+      if (direction == 0) {
+        const auto layer = hn::Set(d, static_cast<double>(beam.origin_cell()[at]));
+        in_layer = hn::And(in_layer, hn::And(hn::Le(hn::PromoteTo(d, min), layer),
+                                             hn::Lt(layer, hn::PromoteTo(d, max))));
+        continue;
+      }
+      // Beam::parameter, operation by operation.
+      const auto parameter = [&](auto plane) {
+        return hn::Div(hn::Sub(hn::PromoteTo(d, plane), hn::Set(d, beam.origin()[at])),
+                       hn::Set(d, direction));
+      };
+      const auto at_near = parameter(direction > 0 ? min : max);
+      const auto at_far = parameter(direction > 0 ? max : min);
+      entered = hn::IfThenElse(hn::Lt(entered, at_near), at_near, entered);
+      left = hn::IfThenElse(hn::Lt(at_far, left), at_far, left);
+    }
+    hn::StoreU(entered, d, enter.data() + first);
+    mask |= bits_of(d, hn::And(in_layer, hn::Lt(entered, left))) << first;
+  });
+  return mask & all(columns);
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace rmap::node_tests
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace rmap::node_tests {
+
+HWY_EXPORT(overlapping);
+HWY_EXPORT(contained_in);
+HWY_EXPORT(enclosing);
+HWY_EXPORT(equal_to);
+HWY_EXPORT(crossed);
+
+std::uint64_t overlapping(const BranchColumns& columns, const CellBox& region) {
+  return HWY_DYNAMIC_DISPATCH(overlapping)(columns, region);
+}
+std::uint64_t contained_in(const BranchColumns& columns, const CellBox& region) {
+  return HWY_DYNAMIC_DISPATCH(contained_in)(columns, region);
+}
+std::uint64_t enclosing(const BranchColumns& columns, const CellBox& box) {
+  return HWY_DYNAMIC_DISPATCH(enclosing)(columns, box);
+}
+std::uint64_t equal_to(const BranchColumns& columns, const CellBox& box) {
+  return HWY_DYNAMIC_DISPATCH(equal_to)(columns, box);
+}
+std::uint64_t crossed(const BranchColumns& columns, const Beam& beam, Measures& enter) {
+  return HWY_DYNAMIC_DISPATCH(crossed)(columns, beam, enter);
+}
 
 namespace {
 
@@ -13,109 +159,7 @@ namespace {
 double larger(double a, double b) { return a < b ? b : a; }
 double smaller(double a, double b) { return b < a ? b : a; }
 
-/// a && b, without the branch that keeps a loop from becoming vector code.
-int both(bool a, bool b) { return static_cast<int>(a) & static_cast<int>(b); }
-
-/// Bits of a word: not every vector unit can shift each lane by a number of its own.
-template <class Word>
-constexpr auto kBits = [] {
-  std::array<Word, std::numeric_limits<Word>::digits> bits{};
-  for (std::size_t i = 0; i < bits.size(); ++i) bits[i] = Word{1} << i;
-  return bits;
-}();
-
-/// The mask of the branches for which hit(branch) holds. `Word` is as wide as what is compared,
-/// so that vectors need no packing.
-template <class Word, class Hit>
-std::uint64_t where(std::size_t count, const Hit& hit) {
-  constexpr std::size_t kWidth = std::numeric_limits<Word>::digits;
-  std::uint64_t mask = 0;
-  for (std::size_t first = 0; first < count; first += kWidth) {
-    const std::size_t end = std::min(count - first, kWidth);
-    Word word = 0;
-    for (std::size_t i = 0; i < end; ++i) {
-      word |= (Word{0} - static_cast<Word>(hit(first + i))) & kBits<Word>[i];  // no branch
-    }
-    mask |= std::uint64_t{word} << first;
-  }
-  return mask;
-}
-
-/// The mask of the branches for which test(axis, min, max) holds on all axes.
-template <class Test>
-std::uint64_t where_boxes(const BranchColumns& columns, const Test& test) {
-  const BranchColumns c = columns;  // a copy, which nothing else can change
-  return where<std::uint32_t>(static_cast<std::size_t>(c.count), [&test, c](std::size_t i) {
-    return test(0, c.min[0][i], c.max[0][i] + c.added) &
-           test(1, c.min[1][i], c.max[1][i] + c.added) &
-           test(2, c.min[2][i], c.max[2][i] + c.added);
-  });
-}
-
 }  // namespace
-
-std::uint64_t all(const BranchColumns& columns) {
-  return columns.count == 0 ? 0 : ~std::uint64_t{0} >> (kMaxBranches - columns.count);
-}
-
-std::uint64_t overlapping(const BranchColumns& columns, const CellBox& region) {
-  return where_boxes(columns, [&](int axis, std::int32_t min, std::int32_t max) {
-    return both(max > region.min[axis], min < region.max[axis]);
-  });
-}
-
-std::uint64_t contained_in(const BranchColumns& columns, const CellBox& region) {
-  return where_boxes(columns, [&](int axis, std::int32_t min, std::int32_t max) {
-    return both(min >= region.min[axis], max <= region.max[axis]);
-  });
-}
-
-std::uint64_t enclosing(const BranchColumns& columns, const CellBox& box) {
-  return where_boxes(columns, [&](int axis, std::int32_t min, std::int32_t max) {
-    return both(min <= box.min[axis], max >= box.max[axis]);
-  });
-}
-
-std::uint64_t equal_to(const BranchColumns& columns, const CellBox& box) {
-  return where_boxes(columns, [&](int axis, std::int32_t min, std::int32_t max) {
-    return both(min == box.min[axis], max == box.max[axis]);
-  });
-}
-
-std::uint64_t crossed(const BranchColumns& columns, const Beam& beam, Measures& enter) {
-  if (beam.crosses_nothing()) return 0;
-  const auto count = static_cast<std::size_t>(columns.count);
-  std::uint64_t in_layer = all(columns);
-  Measures leave;
-  std::fill_n(enter.begin(), count, 0.0);
-  std::fill_n(leave.begin(), count, 1.0);
-  for (int axis = 0; axis < 3; ++axis) {
-    const std::int32_t* min = columns.min[static_cast<std::size_t>(axis)];
-    const std::int32_t* max = columns.max[static_cast<std::size_t>(axis)];
-    const std::int32_t added = columns.added;
-    const double direction = beam.direction()[axis];
-    if (direction == 0) {
-      const std::int32_t layer = beam.origin_cell()[axis];
-      in_layer &= where<std::uint32_t>(
-          count, [&](std::size_t i) { return both(min[i] <= layer, layer < max[i] + added); });
-      continue;
-    }
-    const bool forward = direction > 0;
-    const std::int32_t* near = forward ? min : max;
-    const std::int32_t* far = forward ? max : min;
-    const std::int32_t near_added = forward ? 0 : added;
-    const std::int32_t far_added = forward ? added : 0;
-    const double origin = beam.origin()[axis];
-    for (std::size_t i = 0; i < count; ++i) {
-      // Beam::parameter, operation by operation.
-      const double at_near = (static_cast<double>(near[i] + near_added) - origin) / direction;
-      const double at_far = (static_cast<double>(far[i] + far_added) - origin) / direction;
-      enter[i] = larger(enter[i], at_near);
-      leave[i] = smaller(leave[i], at_far);
-    }
-  }
-  return in_layer & where<std::uint64_t>(count, [&](std::size_t i) { return enter[i] < leave[i]; });
-}
 
 void squared_distances(const BranchColumns& columns, const Vector3d& point, Measures& squared) {
   const auto count = static_cast<std::size_t>(columns.count);
@@ -154,3 +198,4 @@ void enlargements(const BranchColumns& columns, const CellBox& box, Measures& vo
 }
 
 }  // namespace rmap::node_tests
+#endif

@@ -10,14 +10,16 @@
 namespace rmap {
 
 /// What a search asks of all branches of a node at a time. Bit i of a mask stands
-/// for branch i. Plain loops over columns, for the compiler to vectorise.
+/// for branch i.
 namespace node_tests {
 
 /// One number for each branch; those beyond the node's count are not set.
 using Measures = std::array<double, kMaxBranches>;
 
 /// All branches of the node.
-std::uint64_t all(const BranchColumns& columns);
+inline std::uint64_t all(const BranchColumns& columns) {
+  return columns.count == 0 ? 0 : ~std::uint64_t{0} >> (kMaxBranches - columns.count);
+}
 /// Branches that share a cell with `region`, which is not empty.
 std::uint64_t overlapping(const BranchColumns& columns, const CellBox& region);
 /// Branches that lie in `region` as a whole.

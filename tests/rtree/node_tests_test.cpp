@@ -2,6 +2,7 @@
 
 #include "rtree/boxes.hpp"
 #include "rtree/oracle.hpp"
+#include "support/simd_targets.hpp"
 
 #include <algorithm>
 
@@ -15,10 +16,10 @@ namespace {
 using test::Data;
 using test::Random;
 
-/// A node of the first `count` boxes.
+/// A full node of the first `count` boxes, or one that has as few branches as a tree allows.
 struct Node {
   Node(const std::vector<CellBox>& all, int edge, int count)
-      : boxes(all.begin(), all.begin() + count), pool(kMaxBranches, edge, 4, 4) {
+      : boxes(all.begin(), all.begin() + count), pool(std::max(count, 4), edge, 4, 4) {
     id = pool.allocate();
     for (const CellBox& box : boxes) {
       const std::uint32_t content = 7;
@@ -63,55 +64,61 @@ int for_each_node(const Use& use) {
 constexpr int kNodes = 9 * 3 * 11;
 
 TEST(NodeTests, BoxesEqualThePlainTests) {
-  int compared = 0;
-  const int nodes = for_each_node([&](const Node& node, Random& random) {
-    const BranchColumns columns = node.columns();
-    ASSERT_EQ(node_tests::all(columns), node.plain([](const CellBox&) { return true; }));
-    for (int i = 0; i < 30; ++i) {
-      const bool own = i % 5 == 0 && !node.boxes.empty();
-      const CellBox region = own ? node.boxes[static_cast<std::size_t>(i) % node.boxes.size()]
-                                 : test::region_of(node.bounds(), random);
-      if (region.empty()) continue;
-      ASSERT_EQ(node_tests::overlapping(columns, region),
-                node.plain([&](const CellBox& box) { return box.overlaps(region); }));
-      ASSERT_EQ(node_tests::contained_in(columns, region),
-                node.plain([&](const CellBox& box) { return region.contains(box); }));
-      ASSERT_EQ(node_tests::enclosing(columns, region),
-                node.plain([&](const CellBox& box) { return box.contains(region); }));
-      ASSERT_EQ(node_tests::equal_to(columns, region),
-                node.plain([&](const CellBox& box) { return box == region; }));
-      ++compared;
-    }
+  test::for_each_simd_target([](const char* target) {
+    SCOPED_TRACE(target);
+    int compared = 0;
+    const int nodes = for_each_node([&](const Node& node, Random& random) {
+      const BranchColumns columns = node.columns();
+      ASSERT_EQ(node_tests::all(columns), node.plain([](const CellBox&) { return true; }));
+      for (int i = 0; i < 30; ++i) {
+        const bool own = i % 5 == 0 && !node.boxes.empty();
+        const CellBox region = own ? node.boxes[static_cast<std::size_t>(i) % node.boxes.size()]
+                                   : test::region_of(node.bounds(), random);
+        if (region.empty()) continue;
+        ASSERT_EQ(node_tests::overlapping(columns, region),
+                  node.plain([&](const CellBox& box) { return box.overlaps(region); }));
+        ASSERT_EQ(node_tests::contained_in(columns, region),
+                  node.plain([&](const CellBox& box) { return region.contains(box); }));
+        ASSERT_EQ(node_tests::enclosing(columns, region),
+                  node.plain([&](const CellBox& box) { return box.contains(region); }));
+        ASSERT_EQ(node_tests::equal_to(columns, region),
+                  node.plain([&](const CellBox& box) { return box == region; }));
+        ++compared;
+      }
+    });
+    EXPECT_EQ(nodes, kNodes);
+    EXPECT_GT(compared, kNodes * 20);
   });
-  EXPECT_EQ(nodes, kNodes);
-  EXPECT_GT(compared, kNodes * 20);
 }
 
 TEST(NodeTests, BeamsEqualTheDefinitionBitForBit) {
-  int crossings = 0;
-  const int nodes = for_each_node([&](const Node& node, Random& random) {
-    for (int i = 0; i < 6 * test::kBeamKinds; ++i) {
-      const Beam beam = test::beam_of(i % test::kBeamKinds, node.bounds(), random);
-      node_tests::Measures enter;
-      const std::uint64_t mask = node_tests::crossed(node.columns(), beam, enter);
-      ASSERT_EQ(mask, node.plain([&](const CellBox& box) { return crossing(beam, box); }));
-      for (std::size_t branch = 0; branch < node.boxes.size(); ++branch) {
-        if ((mask >> branch & 1) == 0) continue;
-        ASSERT_EQ(enter[branch], crossing(beam, node.boxes[branch])->enter);
-        ++crossings;
-      }
-      // What is behind the node's MBRC may count on it.
-      const auto whole = node.boxes.empty() ? std::nullopt : crossing(beam, node.bounds());
-      ASSERT_TRUE(mask == 0 || whole);
-      for (std::size_t branch = 0; branch < node.boxes.size(); ++branch) {
-        if ((mask >> branch & 1) != 0) {
-          ASSERT_LE(whole->enter, enter[branch]);
+  test::for_each_simd_target([](const char* target) {
+    SCOPED_TRACE(target);
+    int crossings = 0;
+    const int nodes = for_each_node([&](const Node& node, Random& random) {
+      for (int i = 0; i < 6 * test::kBeamKinds; ++i) {
+        const Beam beam = test::beam_of(i % test::kBeamKinds, node.bounds(), random);
+        node_tests::Measures enter;
+        const std::uint64_t mask = node_tests::crossed(node.columns(), beam, enter);
+        ASSERT_EQ(mask, node.plain([&](const CellBox& box) { return crossing(beam, box); }));
+        for (std::size_t branch = 0; branch < node.boxes.size(); ++branch) {
+          if ((mask >> branch & 1) == 0) continue;
+          ASSERT_EQ(enter[branch], crossing(beam, node.boxes[branch])->enter);
+          ++crossings;
+        }
+        // What is behind the node's MBRC may count on it.
+        const auto whole = node.boxes.empty() ? std::nullopt : crossing(beam, node.bounds());
+        ASSERT_TRUE(mask == 0 || whole);
+        for (std::size_t branch = 0; branch < node.boxes.size(); ++branch) {
+          if ((mask >> branch & 1) != 0) {
+            ASSERT_LE(whole->enter, enter[branch]);
+          }
         }
       }
-    }
+    });
+    EXPECT_EQ(nodes, kNodes);
+    EXPECT_GT(crossings, 10000);
   });
-  EXPECT_EQ(nodes, kNodes);
-  EXPECT_GT(crossings, 10000);
 }
 
 TEST(NodeTests, DistancesEqualThePlainOnes) {
