@@ -54,7 +54,7 @@ class Stopwatch {
 class WantedScans {
  public:
   explicit WantedScans(const BuildArguments& arguments)
-      : source_(open_scan_sequence(arguments.scans)),
+      : source_(read_ahead(open_scan_sequence(arguments.scans))),
         filter_(arguments.filter),
         every_(static_cast<std::size_t>(arguments.every)) {}
 

@@ -52,6 +52,11 @@ std::unique_ptr<ScanSource> open_scans(const std::filesystem::path& path);
 /// Opens several paths as one source, in the order given; at least one.
 std::unique_ptr<ScanSource> open_scan_sequence(const std::vector<std::filesystem::path>& paths);
 
+/// Reads the scans of `source`, which is not null, in a thread of its own, up to two ahead
+/// of the one that was asked for: reading and decoding run beside what the caller does
+/// with the scans. The same scans, and the same errors at the same calls.
+std::unique_ptr<ScanSource> read_ahead(std::unique_ptr<ScanSource> source);
+
 /// Scans as a range for one pass; `rewind()` allows another. A reference to a scan
 /// lives until the next `++`, which may throw Error as `ScanSource::next`.
 ///
