@@ -151,7 +151,7 @@ struct Leaf {
   Cell origin;
   std::int32_t edge;
   /// Which cells exist.
-  const CellMask* cells;
+  CellMask cells;
   /// Their values in the order of positions.
   const Value* values;
 
@@ -161,7 +161,7 @@ struct Leaf {
   template <class Use>
   void for_each(Use&& use) const {
     const Value* value = values;
-    cells->for_each([&](BlockPosition position) {
+    cells.for_each([&](BlockPosition position) {
       use(Cell(origin + block_offset(position)), *value);
       ++value;
     });

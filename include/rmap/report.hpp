@@ -46,8 +46,8 @@ struct PrepareReport {
 /// Bytes that a grid has taken from the heap, by part.
 struct BytesInUse {
   std::size_t nodes = 0;    ///< the R-tree
-  std::size_t blocks = 0;   ///< masks and bookkeeping of leaf branches
-  std::size_t values = 0;   ///< log-odds
+  std::size_t blocks = 0;   ///< bookkeeping of leaf branches
+  std::size_t values = 0;   ///< log-odds, and in blocks which cells they belong to
   std::size_t records = 0;  ///< scan poses, journal of changes
 
   std::size_t total() const { return nodes + blocks + values + records; }

@@ -1,96 +1,101 @@
 #include "grid/block_store.hpp"
 
+#include "grid/packed_block.hpp"
+
 #include <algorithm>
-#include <cassert>
 
 #include <fmt/format.h>
 
 namespace rmap {
 
-BlockStore::BlockStore(const Options& options)
-    : LeafStore(options, kBlockEdge), masks_(1), blocks_(1) {}
+static_assert(packed_block::kMaxLength <= ValuePool::kMaxCount);
+
+BlockStore::BlockStore(const Options& options) : LeafStore(options, kBlockEdge), blocks_(1) {}
 
 std::unique_ptr<LeafStore> BlockStore::clone() const { return std::make_unique<BlockStore>(*this); }
 
 Leaf BlockStore::leaf(LeafId id, const Cell& origin) const {
+  const Value* const packed = run(id);
   return {.origin = origin,
           .edge = kBlockEdge,
-          .cells = masks_.record(id),
-          .values = values_.at(blocks_.record(id)->values)};
+          .cells = packed_block::cells(packed),
+          .values = packed_block::values(packed)};
 }
 
-std::span<Value> BlockStore::values(LeafId id) {
-  return {values_.at(blocks_.record(id)->values), masks_.record(id)->count()};
+const Value* BlockStore::value_at(LeafId id, BlockPosition position) const {
+  return packed_block::find(run(id), position);
+}
+
+LeafStore::Content BlockStore::content(LeafId id) {
+  Value* const packed = run(id);
+  return {.cells = packed_block::cells(packed), .values = packed_block::values(packed)};
 }
 
 BytesInUse BlockStore::bytes_in_use() const {
-  return {.nodes = tree_bytes(),
-          .blocks = masks_.bytes_in_use() + blocks_.bytes_in_use(),
-          .values = values_.bytes_in_use()};
+  return {.nodes = tree_bytes(), .blocks = blocks_.bytes_in_use(), .values = runs_.bytes_in_use()};
 }
 
 LeafId BlockStore::allocate() {
-  const LeafId id = masks_.allocate();
-  [[maybe_unused]] const LeafId same = blocks_.allocate();
-  assert(same == id);
-  *masks_.record(id) = {};
-  *blocks_.record(id) = {.values = 0, .stamp = 0};
+  const LeafId id = blocks_.allocate();
+  *blocks_.record(id) = {.run = kNoRun, .stamp = 0};
   return id;
 }
 
-void BlockStore::release(LeafId id) {
-  masks_.release(id);
-  blocks_.release(id);
-}
+void BlockStore::release(LeafId id) { blocks_.release(id); }
 
 void BlockStore::add_cells(LeafId id, const CellMask& cells, Value value) {
-  CellMask& mask = *masks_.record(id);
-  Block& block = *blocks_.record(id);
-  const CellMask before = mask;
-  const std::uint32_t old_count = before.count();
-  mask |= cells;
-  const std::uint32_t new_count = mask.count();
-
-  std::array<Value, kBlockCells> old_values;
-  if (old_count > 0) std::copy_n(values_.at(block.values), old_count, old_values.begin());
-  if (old_count == 0 || !ValuePool::same_size(old_count, new_count)) {
-    const ValuePool::Handle longer = values_.allocate(new_count);
-    if (old_count > 0) values_.release(block.values, old_count);
-    block.values = longer;
+  if (blocks_.record(id)->run == kNoRun) {
+    std::fill_n(replace(id, {}, cells), cells.count(), value);
+    return;
   }
-  const Value* next_old = old_values.data();
-  Value* next = values_.at(block.values);
-  mask.for_each(
-      [&](BlockPosition position) { *next++ = before.test(position) ? *next_old++ : value; });
+  const auto [before, old_values] = content(id);
+  std::array<Value, kBlockCells> kept;
+  std::copy_n(old_values, before.count(), kept.begin());
+  CellMask after = before;
+  after |= cells;
+  const Value* next_old = kept.data();
+  Value* next = replace(id, before, after);
+  after.for_each([&, old_cells = before](BlockPosition position) {
+    *next++ = old_cells.test(position) ? *next_old++ : value;
+  });
 }
 
 void BlockStore::take_cells(LeafId id, const CellMask& cells) {
-  CellMask& mask = *masks_.record(id);
-  Block& block = *blocks_.record(id);
-  const std::uint32_t old_count = mask.count();
-  const ValuePool::Handle old_run = block.values;
-
+  const auto [before, old_values] = content(id);
   std::array<Value, kBlockCells> kept;
-  std::uint32_t new_count = 0;
-  const Value* next = values_.at(old_run);
-  mask.for_each([&](BlockPosition position) {
-    if (!cells.test(position)) kept[new_count++] = *next;
+  std::uint32_t count = 0;
+  before.for_each([&, next = old_values](BlockPosition position) mutable {
+    if (!cells.test(position)) kept[count++] = *next;
     ++next;
   });
-  mask = mask.without(cells);
-
-  if (new_count == 0 || !ValuePool::same_size(old_count, new_count)) {
-    values_.release(old_run, old_count);
-    if (new_count == 0) return;
-    block.values = values_.allocate(new_count);
+  const CellMask after = before.without(cells);
+  if (after.none()) {
+    runs_.release(blocks_.record(id)->run, packed_block::length(before));
+    blocks_.record(id)->run = kNoRun;
+    return;
   }
-  std::copy_n(kept.begin(), new_count, values_.at(block.values));
+  std::copy_n(kept.begin(), count, replace(id, before, after));
+}
+
+Value* BlockStore::replace(LeafId id, const CellMask& before, const CellMask& after) {
+  ValuePool::Handle& handle = blocks_.record(id)->run;
+  const std::uint32_t length = packed_block::length(after);
+  if (handle == kNoRun) {
+    handle = runs_.allocate(length);
+  } else if (const std::uint32_t old = packed_block::length(before);
+             !ValuePool::same_size(old, length)) {
+    const ValuePool::Handle other = runs_.allocate(length);
+    runs_.release(handle, old);
+    handle = other;
+  }
+  packed_block::write_cells(runs_.at(handle), after);
+  return packed_block::values(runs_.at(handle));
 }
 
 std::optional<std::string> BlockStore::check_storage() const {
-  if (masks_.size() != leaf_count() || blocks_.size() != leaf_count()) {
+  if (blocks_.size() != leaf_count()) {
     return fmt::format("the R-tree has {} leaf branches, but there are {} blocks", leaf_count(),
-                       masks_.size());
+                       blocks_.size());
   }
   return std::nullopt;
 }

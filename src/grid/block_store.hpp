@@ -5,23 +5,24 @@
 
 namespace rmap {
 
-/// Layout blocks: a leaf is a block of 8 x 8 x 8 cells, a 512-bit mask of those
-/// that exist and values for only those, found by rank (population count).
+/// Layout blocks: a leaf is a block of 8 x 8 x 8 cells, a mask of those that exist and
+/// values for only those, found by rank (population count), packed in one run.
 class BlockStore final : public LeafStore {
  public:
   explicit BlockStore(const Options& options);
   std::unique_ptr<LeafStore> clone() const override;
 
   Leaf leaf(LeafId id, const Cell& origin) const override;
-  std::span<Value> values(LeafId id) override;
-  LeafId id_limit() const override { return static_cast<LeafId>(masks_.slots()); }
+  const Value* value_at(LeafId id, BlockPosition position) const override;
+  Content content(LeafId id) override;
+  LeafId id_limit() const override { return static_cast<LeafId>(blocks_.slots()); }
   BytesInUse bytes_in_use() const override;
   Stamp stamp(LeafId id) const override { return blocks_.record(id)->stamp; }
   void set_stamp(LeafId id, Stamp stamp) override { blocks_.record(id)->stamp = stamp; }
 
  private:
   struct Block {
-    ValuePool::Handle values;  ///< a run as long as the mask has positions; none when it is empty
+    ValuePool::Handle run;  ///< a packed_block; none when it has no cells
     Stamp stamp;
   };
 
@@ -31,9 +32,15 @@ class BlockStore final : public LeafStore {
   void take_cells(LeafId id, const CellMask& cells) override;
   std::optional<std::string> check_storage() const override;
 
-  RecordPool<CellMask> masks_;
-  RecordPool<Block> blocks_;  ///< the same numbers as masks_
-  ValuePool values_;
+  static constexpr ValuePool::Handle kNoRun = UINT32_MAX;
+
+  /// Makes room for other cells, writes which they are and returns where their values go.
+  Value* replace(LeafId id, const CellMask& before, const CellMask& after);
+  Value* run(LeafId id) { return runs_.at(blocks_.record(id)->run); }
+  const Value* run(LeafId id) const { return runs_.at(blocks_.record(id)->run); }
+
+  RecordPool<Block> blocks_;
+  ValuePool runs_;
 };
 
 }  // namespace rmap

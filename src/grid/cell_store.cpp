@@ -18,7 +18,11 @@ CellStore::CellStore(const Options& options) : LeafStore(options, 1), entries_(1
 std::unique_ptr<LeafStore> CellStore::clone() const { return std::make_unique<CellStore>(*this); }
 
 Leaf CellStore::leaf(LeafId id, const Cell& origin) const {
-  return {.origin = origin, .edge = 1, .cells = &kOneCell, .values = &entries_.record(id)->value};
+  return {.origin = origin, .edge = 1, .cells = kOneCell, .values = &entries_.record(id)->value};
+}
+
+LeafStore::Content CellStore::content(LeafId id) {
+  return {.cells = kOneCell, .values = &entries_.record(id)->value};
 }
 
 BytesInUse CellStore::bytes_in_use() const {

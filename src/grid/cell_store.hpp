@@ -14,7 +14,10 @@ class CellStore final : public LeafStore {
   std::unique_ptr<LeafStore> clone() const override;
 
   Leaf leaf(LeafId id, const Cell& origin) const override;
-  std::span<Value> values(LeafId id) override { return {&entries_.record(id)->value, 1}; }
+  const Value* value_at(LeafId id, BlockPosition /*position*/) const override {
+    return &entries_.record(id)->value;
+  }
+  Content content(LeafId id) override;
   LeafId id_limit() const override { return static_cast<LeafId>(entries_.slots()); }
   BytesInUse bytes_in_use() const override;
   Stamp stamp(LeafId id) const override { return entries_.record(id)->stamp; }

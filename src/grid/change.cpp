@@ -31,9 +31,9 @@ void require_probability(double probability) {
 
 // The cells of a leaf that lie in `region`.
 CellMask cells_within(const Leaf& leaf, const CellBox& region) {
-  if (region.contains(leaf.box())) return *leaf.cells;
+  if (region.contains(leaf.box())) return leaf.cells;
   CellMask within;
-  leaf.cells->for_each([&](BlockPosition position) {
+  leaf.cells.for_each([&](BlockPosition position) {
     if (region.contains(Cell(leaf.origin + block_offset(position)))) within.set(position);
   });
   return within;
@@ -53,7 +53,7 @@ std::size_t Grid::Implementation::remove_cells(const CellBox& region,
     const CellMask within = cells_within(leaf, region);
     CellMask dropped;
     const Value* value = leaf.values;
-    leaf.cells->for_each([&](BlockPosition position) {
+    leaf.cells.for_each([&](BlockPosition position) {
       if (within.test(position) && drop(*value)) {
         dropped.set(position);
         if (rule.occupied(*value)) log.flipped(leaf.origin + block_offset(position));

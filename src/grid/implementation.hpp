@@ -79,11 +79,10 @@ std::uint64_t Grid::Implementation::update_all(std::span<const MarkedLeaf> leave
 template <class Change>
 std::uint64_t Grid::Implementation::update(LeafId id, const Cell& origin, const CellMask& cells,
                                            const CellMask& created, Change&& change) {
-  const CellMask existing = *store->leaf(id, origin).cells;
-  const std::span<Value> values = store->values(id);
+  const auto [existing, values] = store->content(id);
   std::uint64_t changed = 0;
-  cells.for_each_ranked(existing, [&](BlockPosition position, std::uint32_t rank) {
-    Value& value = values[rank];
+  cells.for_each_ranked(existing, [&, first = values](BlockPosition position, std::uint32_t rank) {
+    Value& value = first[rank];
     const Cell cell = origin + block_offset(position);
     const Value before = value;
     const bool is_new = created.test(position);

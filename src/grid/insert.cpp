@@ -40,7 +40,7 @@ Grid::Implementation::Ensured Grid::Implementation::ensure(const BlockMarks& cel
   };
   for_each_leaf(cells, *store, [&](const Cell& origin, const CellMask& marks) {
     if (const auto id = store->find(origin)) {
-      note({*id, origin, marks}, store->add_missing(*id, origin, marks, rule.prior()).count());
+      note({*id, origin, marks}, store->add_missing(*id, marks, rule.prior()).count());
     } else {
       missing.push_back({0, origin, marks});
     }
@@ -49,10 +49,8 @@ Grid::Implementation::Ensured Grid::Implementation::ensure(const BlockMarks& cel
   std::sort(missing.begin(), missing.end(), [](const MarkedLeaf& a, const MarkedLeaf& b) {
     return morton_less(a.origin, b.origin);
   });
-  for (MarkedLeaf& leaf : missing) {
-    leaf.id = store->add_leaf(leaf.origin, leaf.cells, rule.prior());
-    note(leaf, leaf.cells.count());
-  }
+  store->add_leaves(missing, rule.prior());
+  for (const MarkedLeaf& leaf : missing) note(leaf, leaf.cells.count());
   return ensured;
 }
 
@@ -82,6 +80,8 @@ InsertReport Grid::insert(const Scan& scan) {
   if (chooses) groups = groups_by_origin(beams, ends.chosen);
 
   grid.begin_mutation();
+  // After preparation no cells are to come: whatever is done from here on gains.
+  if (grid.scan_poses.empty()) grid.store->repack();
   grid.scan_poses.push_back(scan.map_from_sensor);
   auto ensured = grid.ensure(ends.cells);
   const LeafMarks hit(grid.store->id_limit(), std::move(ensured.leaves));

@@ -7,13 +7,6 @@
 
 namespace rmap {
 
-/// Some cells of a leaf.
-struct MarkedLeaf {
-  LeafId id;
-  Cell origin;
-  CellMask cells;
-};
-
 /// Marked cells, by leaf: those that a scan hit, or crossed. Valid while no
 /// leaf comes or goes.
 class LeafMarks {

@@ -25,9 +25,7 @@ const Value* LeafStore::find_value(const Cell& cell) const {
   const Cell origin = origin_of(cell);
   const auto id = find(origin);
   if (!id) return nullptr;
-  const Leaf found = leaf(*id, origin);
-  const BlockPosition position = position_of(cell);
-  return found.cells->test(position) ? found.values + found.cells->rank(position) : nullptr;
+  return value_at(*id, position_of(cell));
 }
 
 bool LeafStore::visit(const CellBox& region, FunctionRef<bool(LeafId, const Leaf&)> visit) const {
@@ -55,29 +53,56 @@ void LeafStore::visit_along(const Beam& beam,
 }
 
 LeafStore::Ensured LeafStore::ensure(const Cell& origin, const CellMask& cells, Value value) {
-  if (const auto id = find(origin)) return {*id, add_missing(*id, origin, cells, value)};
-  return {add_leaf(origin, cells, value), cells};
+  if (const auto id = find(origin)) return {*id, add_missing(*id, cells, value)};
+  MarkedLeaf leaf{0, origin, cells};
+  add_leaves({&leaf, 1}, value);
+  return {leaf.id, cells};
 }
 
-CellMask LeafStore::add_missing(LeafId id, const Cell& origin, const CellMask& cells, Value value) {
-  const CellMask missing = cells.without(*leaf(id, origin).cells);
+CellMask LeafStore::add_missing(LeafId id, const CellMask& cells, Value value) {
+  const CellMask missing = cells.without(content(id).cells);
   if (!missing.none()) add_cells(id, missing, value);
   return missing;
 }
 
-LeafId LeafStore::add_leaf(const Cell& origin, const CellMask& cells, Value value) {
-  const LeafId id = allocate();
-  tree_.insert(leaf_box(origin), id);
-  add_cells(id, cells, value);
-  return id;
+void LeafStore::add_leaves(std::span<MarkedLeaf> leaves, Value value) {
+  for (MarkedLeaf& leaf : leaves) leaf.id = allocate();
+  enter(leaves);
+  for (const MarkedLeaf& leaf : leaves) add_cells(leaf.id, leaf.cells, value);
+}
+
+// Packing the tree anew as soon as more than half of its leaves came since it was packed costs
+// less than what it saves: entering a leaf one by one takes longer than packing it, and leaves
+// nodes behind that are half full and overlap.
+void LeafStore::enter(std::span<const MarkedLeaf> leaves) {
+  unpacked_ += leaves.size();
+  if (2 * unpacked_ <= tree_.size() + leaves.size()) {
+    for (const MarkedLeaf& leaf : leaves) tree_.insert(leaf_box(leaf.origin), leaf.id);
+    return;
+  }
+  std::vector<RTree<LeafId>::Item> items;
+  items.reserve(tree_.size() + leaves.size());
+  tree_.for_each([&](const CellBox& box, LeafId id) {
+    items.push_back({box, id});
+    return true;
+  });
+  for (const MarkedLeaf& leaf : leaves) items.push_back({leaf_box(leaf.origin), leaf.id});
+  tree_ = RTree<LeafId>::bulk_load(items, tree_.options());
+  unpacked_ = 0;
+}
+
+void LeafStore::repack() {
+  if (unpacked_ > 0) tree_.repack();
+  unpacked_ = 0;
 }
 
 void LeafStore::remove(LeafId id, const Cell& origin, const CellMask& cells) {
-  const bool last = *leaf(id, origin).cells == cells;
+  const bool last = content(id).cells == cells;
   take_cells(id, cells);
   if (last) {
     release(id);
     tree_.erase(leaf_box(origin));
+    ++unpacked_;
   }
 }
 
@@ -87,7 +112,7 @@ std::optional<std::string> LeafStore::check() const {
   visit(all_cells(), [&](LeafId id, const Leaf& found) {
     if (id >= id_limit()) {
       broken = fmt::format("leaf number {} is beyond {}", id, id_limit());
-    } else if (found.cells->none()) {
+    } else if (found.cells.none()) {
       broken = fmt::format("the leaf at ({}, {}, {}) holds no cell", found.origin.x(),
                            found.origin.y(), found.origin.z());
     } else if (found.origin != origin_of(found.origin)) {

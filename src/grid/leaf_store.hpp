@@ -15,6 +15,13 @@ namespace rmap {
 /// Number of a leaf branch: stable while the leaf exists, then used again.
 using LeafId = std::uint32_t;
 
+/// Some cells of a leaf.
+struct MarkedLeaf {
+  LeafId id;
+  Cell origin;
+  CellMask cells;
+};
+
 /// The cells of a grid: leaf branches in an R-tree, and what they hold. The two
 /// layouts differ only in the edge of a leaf and in how its cells are stored;
 /// everything above works on leaves and does not know which one it is.
@@ -39,6 +46,8 @@ class LeafStore {
   /// Value of a cell, null where it does not exist.
   const Value* find_value(const Cell& cell) const;
   virtual Leaf leaf(LeafId id, const Cell& origin) const = 0;
+  /// Value of a cell of a leaf, null where it does not exist.
+  virtual const Value* value_at(LeafId id, BlockPosition position) const = 0;
 
   /// Visits return false when `visit` did.
   bool visit(const CellBox& region, FunctionRef<bool(LeafId, const Leaf&)> visit) const;
@@ -65,18 +74,22 @@ class LeafStore {
   /// Makes the cells of `cells` exist in the leaf at `origin`, new ones with `value`.
   Ensured ensure(const Cell& origin, const CellMask& cells, Value value);
   /// The same for a leaf that exists; returns the cells that are new.
-  CellMask add_missing(LeafId id, const Cell& origin, const CellMask& cells, Value value);
-  /// Makes a leaf that does not exist.
-  LeafId add_leaf(const Cell& origin, const CellMask& cells, Value value);
-  /// The values of a leaf, in the order of positions.
-  virtual std::span<Value> values(LeafId id) = 0;
+  CellMask add_missing(LeafId id, const CellMask& cells, Value value);
+  /// Makes leaves that do not exist, each once, and sets their ids. Many at a time cost less.
+  void add_leaves(std::span<MarkedLeaf> leaves, Value value);
+  /// The cells of a leaf, and their values in the order of positions, to be changed.
+  struct Content {
+    CellMask cells;
+    Value* values;
+  };
+  virtual Content content(LeafId id) = 0;
   /// Removes existing cells of a leaf; a leaf without cells goes, and its id with it.
   void remove(LeafId id, const Cell& origin, const CellMask& cells);
 
   virtual Stamp stamp(LeafId id) const = 0;
   virtual void set_stamp(LeafId id, Stamp stamp) = 0;
-  /// Packs the nodes of the R-tree full: less memory, less overlap.
-  void repack() { tree_.repack(); }
+  /// Packs the nodes of the R-tree full, unless they are: less memory, less overlap.
+  void repack();
 
  protected:
   LeafStore(const Options& options, std::int32_t edge);
@@ -99,7 +112,11 @@ class LeafStore {
     return {.min = origin, .max = origin + Cell::Constant(edge())};
   }
 
+  /// Enters new leaves in the R-tree.
+  void enter(std::span<const MarkedLeaf> leaves);
+
   RTree<LeafId> tree_;
+  std::size_t unpacked_ = 0;  ///< leaves that came or went since the tree was packed
 };
 
 }  // namespace rmap

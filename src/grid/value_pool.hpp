@@ -9,7 +9,7 @@
 
 namespace rmap {
 
-/// Memory for runs of 1 to 512 values. A run takes whole granules of 4 values;
+/// Memory for runs of 1 to kMaxCount values. A run takes whole granules of 4 values;
 /// freed runs are used again, the best fitting first, and split where they are
 /// longer than needed: so growing blocks leave little behind. Pages are never
 /// moved.
@@ -17,9 +17,12 @@ class ValuePool {
  public:
   using Handle = std::uint32_t;
 
+  /// The longest run.
+  static constexpr std::uint32_t kMaxCount = 548;
+
   ValuePool();
 
-  /// A run of `count` values, 1 to 512, uninitialised.
+  /// A run of `count` values, 1 to kMaxCount, uninitialised.
   Handle allocate(std::uint32_t count);
   /// Gives back a run that was allocated with the same `count`.
   void release(Handle run, std::uint32_t count);
@@ -37,7 +40,7 @@ class ValuePool {
  private:
   static constexpr std::uint32_t kGranule = 4;
   static constexpr std::uint32_t kPageGranules = 2048;
-  static constexpr std::uint32_t kMaxGranules = 128;
+  static constexpr std::uint32_t kMaxGranules = kMaxCount / kGranule;
   static constexpr Handle kNone = UINT32_MAX;
 
   static std::uint32_t granules(std::uint32_t count) { return (count + kGranule - 1) / kGranule; }

@@ -69,8 +69,8 @@ std::optional<RayHit> cast_ray(const Grid& grid, const Vector3d& origin, const V
     for (BeamWalk walk(beam, leaf.box()); walk.more() && walk.enter() < first_enter;
          walk.advance()) {
       const BlockPosition position = leaf.edge == 1 ? 0 : block_position(walk.cell());
-      if (leaf.cells->test(position) &&
-          grid.rule().occupied(leaf.values[leaf.cells->rank(position)])) {
+      if (leaf.cells.test(position) &&
+          grid.rule().occupied(leaf.values[leaf.cells.rank(position)])) {
         first = walk.cell();
         first_enter = walk.enter();
         break;

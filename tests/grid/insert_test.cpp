@@ -258,5 +258,27 @@ TEST(Insert, RefusesWithTheGridAsItWas) {
   refused(scan, "scan 7: the 3x3 part of the pose is no rotation");
 }
 
+TEST(Insert, TheRTreeIsPackedAsItGrows) {
+  test::Random random(31);
+  SCOPED_TRACE(random.trace());
+  const auto fill = [](const Grid& grid) { return grid.rtree_statistics().levels.at(0).fill; };
+  for (const Layout layout : {Layout::blocks, Layout::cells}) {
+    Grid grid({.resolution = 0.1, .layout = layout});
+    grid.insert(test::random_scan(random, 4000, 20));
+    EXPECT_GT(fill(grid), 0.95);
+    for (int i = 0; i < 4; ++i) grid.prepare(test::random_scan(random, 300, 20));
+    EXPECT_EQ(grid.check().value_or(""), "");
+
+    Grid prepared({.resolution = 0.1, .layout = layout});
+    const Scan first = test::random_scan(random, 3000, 20);
+    prepared.prepare(first);
+    prepared.prepare(test::random_scan(random, 1000, 20));
+    EXPECT_LT(fill(prepared), 0.9);
+    prepared.insert(first);
+    EXPECT_GT(fill(prepared), 0.95);
+    EXPECT_EQ(prepared.check().value_or(""), "");
+  }
+}
+
 }  // namespace
 }  // namespace rmap
