@@ -68,7 +68,7 @@ void add_info(CLI::App& app) {
                 "is loaded, which decides the figures of the R-tree and of the memory."},
        .examples = {"rmap info street.rmap",
                     "rmap info street.rmap --layout cells "
-                    "--max-branches 32 --json",
+                    "--max-branches 8 --json",
                     "rmap info street street/truth/surface.pcd"}});
   add_paths(verb, "FILE", arguments->files, "Maps, folders of scans, clouds.")->required();
   add_json_flag(verb, arguments->json);

@@ -41,7 +41,9 @@ void add_box(Scene& scene, const Vector3d& min, const Vector3d& max) {
              .map_from_object = place(center.x(), center.y(), center.z())});
 }
 
-// A block of a city, 50 m long: houses, trees, poles and parked cars on both sides.
+constexpr double kBlock = 50;
+
+// A block of a city, kBlock metres long: houses, trees, poles and parked cars on both sides.
 void add_city_block(Scene& scene, test::Random& random, double x) {
   for (const double side : {-1.0, 1.0}) {
     const double front = side * random.real(9, 11);
@@ -107,13 +109,14 @@ Sequence simulate_drive(double metres) {
   scene.add({.name = "ground",
              .shape = RectangleShape{metres + 2 * kAhead, 60},
              .map_from_object = place(metres / 2, 0, 0)});
-  for (double x = -kAhead; x < metres + kAhead; x += 50) add_city_block(scene, random, x);
+  const int blocks = static_cast<int>((metres + 2 * kAhead) / kBlock);
+  for (int i = 0; i < blocks; ++i) add_city_block(scene, random, kBlock * i - kAhead);
   const Sensor sensor{.model = make_sensor("lidar16"), .noise = 0.01};
   Sequence sequence{fmt::format("drive of {} m", metres), {}};
-  std::uint64_t index = 0;
-  for (double x = 0; x <= metres; x += 5) {
-    sequence.scans.push_back(
-        test::in_map_frame(simulate_scan(scene, sensor, place(x, -1.5, 1.8), 0, index++)));
+  const auto scans = static_cast<std::uint64_t>(metres / 5);
+  for (std::uint64_t i = 0; i < scans; ++i) {
+    const Pose pose = place(5 * static_cast<double>(i), -1.5, 1.8);
+    sequence.scans.push_back(test::in_map_frame(simulate_scan(scene, sensor, pose, 0, i)));
   }
   return sequence;
 }

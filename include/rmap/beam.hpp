@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 
@@ -94,9 +95,7 @@ class BeamWalk {
   }
 
  private:
-  double exit() const {
-    return std::fmin(leave_, std::fmin(next_[0], std::fmin(next_[1], next_[2])));
-  }
+  double exit() const { return std::min(std::min(leave_, next_[0]), std::min(next_[1], next_[2])); }
   void step();
 
   const Beam* beam_;

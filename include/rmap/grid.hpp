@@ -103,8 +103,8 @@ class Grid {
   /// The leaf branches that overlap `region`, in no order. A leaf on the border
   /// has cells outside too. `visit` returns false to stop.
   void visit_leaves(const CellBox& region, FunctionRef<bool(const Leaf&)> visit) const;
-  /// The leaf branches that `beam` crosses, by rising parameter of entry. `visit`
-  /// gets that parameter and returns the one from which on nothing is wanted any more.
+  /// The leaf branches that `beam` crosses, roughly from front to back. `visit` gets the
+  /// parameter of entry and returns the one from which on nothing is wanted any more.
   void visit_leaves_along(const Beam& beam,
                           FunctionRef<double(const Leaf&, double enter)> visit) const;
 
@@ -115,10 +115,11 @@ class Grid {
   void set(const Cell& cell, double probability);
   /// Makes a cell hold `value` as it is, without clamping. Throws Error(limit).
   void set_value(const Cell& cell, Value value);
-  /// The same for cells of the block that starts at `origin` (a multiple of 8 on
-  /// each axis); `values` holds one value for each, in Morton order. Throws
-  /// Error(input) when it does not, Error(limit).
-  void set_block(const Cell& origin, const CellMask& cells, std::span<const Value> values);
+  /// The same for the cells of many blocks, which come in Morton order, each once: a map
+  /// that was built elsewhere costs far less so. Throws Error(input) when a block does not
+  /// start at multiples of 8, lacks a value or is out of order, Error(limit); the grid then
+  /// stays as it was.
+  void set_blocks(std::span<const BlockValues> blocks);
   /// Takes over the records of a map that was built elsewhere: how a file is read.
   /// Throws Error(input) when a pose is none.
   void restore(History history, std::vector<Pose> scan_poses);

@@ -1,138 +1,11 @@
 #pragma once
 
-#include <array>
-#include <bit>
 #include <cstdint>
+#include <span>
 
-#include <rmap/value.hpp>
+#include <rmap/packed_block.hpp>
 
 namespace rmap {
-
-/// Position of a cell in a block of 8 x 8 x 8: along the Morton curve, x the
-/// fastest axis, so that 8 positions are a 2 x 2 x 2 and 64 a 4 x 4 x 4 sub-block.
-using BlockPosition = std::uint32_t;
-
-inline constexpr std::int32_t kBlockEdge = 8;
-inline constexpr std::uint32_t kBlockCells = 512;
-
-/// Number of bits that are set. Unlike std::popcount never a call into a library,
-/// which it is for processors of which nothing is known.
-constexpr std::uint32_t bit_count(std::uint64_t word) {
-#ifdef __POPCNT__
-  return static_cast<std::uint32_t>(std::popcount(word));
-#else
-  word -= (word >> 1) & 0x5555555555555555U;
-  word = (word & 0x3333333333333333U) + ((word >> 2) & 0x3333333333333333U);
-  word = (word + (word >> 4)) & 0x0F0F0F0F0F0F0F0FU;
-  return static_cast<std::uint32_t>((word * 0x0101010101010101U) >> 56);
-#endif
-}
-
-/// A set of positions in a block. A leaf branch that is a single cell uses position 0 only.
-class CellMask {
- public:
-  /// The set of one position.
-  static constexpr CellMask single(BlockPosition position) {
-    CellMask mask;
-    mask.set(position);
-    return mask;
-  }
-
-  bool test(BlockPosition position) const {
-    return ((words_[position / 64] >> (position % 64)) & 1) != 0;
-  }
-  constexpr void set(BlockPosition position) { words_[position / 64] |= bit(position); }
-  /// Sets a position where `condition` holds, without a branch.
-  void set_if(BlockPosition position, bool condition) {
-    words_[position / 64] |= std::uint64_t{condition} << (position % 64);
-  }
-  void reset(BlockPosition position) { words_[position / 64] &= ~bit(position); }
-  bool none() const { return *this == CellMask{}; }
-  std::uint32_t count() const {
-    std::uint32_t count = 0;
-    for (const std::uint64_t word : words_) count += bit_count(word);
-    return count;
-  }
-  /// How many positions of the set lie before `position`.
-  std::uint32_t rank(BlockPosition position) const {
-    std::uint32_t rank = bit_count(words_[position / 64] & (bit(position) - 1));
-    for (std::uint32_t word = 0; word < position / 64; ++word) rank += bit_count(words_[word]);
-    return rank;
-  }
-
-  const std::array<std::uint64_t, 8>& words() const { return words_; }
-  std::array<std::uint64_t, 8>& words() { return words_; }
-
-  CellMask& operator|=(const CellMask& other) {
-    for (std::size_t word = 0; word < words_.size(); ++word) words_[word] |= other.words_[word];
-    return *this;
-  }
-  CellMask& operator&=(const CellMask& other) {
-    for (std::size_t word = 0; word < words_.size(); ++word) words_[word] &= other.words_[word];
-    return *this;
-  }
-  /// The positions of this set that are not in `other`.
-  CellMask without(const CellMask& other) const {
-    CellMask rest;
-    for (std::size_t word = 0; word < words_.size(); ++word) {
-      rest.words_[word] = words_[word] & ~other.words_[word];
-    }
-    return rest;
-  }
-  friend CellMask operator&(CellMask a, const CellMask& b) { return a &= b; }
-  friend bool operator==(const CellMask&, const CellMask&) = default;
-
-  /// use(position) for each position of the set, ascending.
-  template <class Use>
-  void for_each(Use&& use) const {
-    for (std::uint32_t word = 0; word < words_.size(); ++word) {
-      for (std::uint64_t left = words_[word]; left != 0; left &= left - 1) {
-        use(word * 64 + static_cast<BlockPosition>(std::countr_zero(left)));
-      }
-    }
-  }
-  /// use(position, rank) for each position of the set, ascending, with its rank in `among`,
-  /// a set that holds this one.
-  template <class Use>
-  void for_each_ranked(const CellMask& among, Use&& use) const {
-    std::uint32_t before = 0;
-    for (std::uint32_t word = 0; word < words_.size(); ++word) {
-      const std::uint64_t all = among.words_[word];
-      for (std::uint64_t left = words_[word]; left != 0; left &= left - 1) {
-        const auto place = static_cast<BlockPosition>(std::countr_zero(left));
-        use(word * 64 + place, before + bit_count(all & (bit(place) - 1)));
-      }
-      before += bit_count(all);
-    }
-  }
-
- private:
-  static constexpr std::uint64_t bit(BlockPosition position) {
-    return std::uint64_t{1} << (position % 64);
-  }
-
-  std::array<std::uint64_t, 8> words_{};
-};
-
-/// Position of `cell` in the block that holds it.
-inline BlockPosition block_position(const Cell& cell) {
-  constexpr std::array<std::uint8_t, kBlockEdge> kSpread{0, 1, 8, 9, 64, 65, 72, 73};
-  const auto spread = [&](std::int32_t index) -> BlockPosition {
-    return kSpread[static_cast<std::uint32_t>(index) & (kBlockEdge - 1)];
-  };
-  return spread(cell.x()) | (spread(cell.y()) << 1) | (spread(cell.z()) << 2);
-}
-/// Offset of a position from the block's lowest cell: 0 to 7 on each axis.
-inline Cell block_offset(BlockPosition position) {
-  const auto gathered = [](BlockPosition bits) {
-    return static_cast<std::int32_t>((bits & 1) | ((bits >> 2) & 2) | ((bits >> 4) & 4));
-  };
-  return {gathered(position), gathered(position >> 1), gathered(position >> 2)};
-}
-/// Lowest cell of the block that holds `cell`.
-inline Cell block_origin(const Cell& cell) {
-  return cell.unaryExpr([](std::int32_t index) { return index & ~(kBlockEdge - 1); });
-}
 
 /// A cell and its value.
 struct CellValue {
@@ -144,24 +17,37 @@ struct CellValue {
   }
 };
 
+/// Cells of a block, and a value for each in the order of positions.
+struct BlockValues {
+  Cell origin;  ///< lowest cell of the block, a multiple of 8 on each axis
+  CellMask cells;
+  std::span<const Value> values;
+};
+
 /// A leaf branch of a grid's R-tree as it lies in memory: the existing cells of
 /// a block (edge 8), or one cell (edge 1). Valid until the grid changes.
 struct Leaf {
   /// Lowest cell of the leaf's box, a multiple of `edge`.
   Cell origin;
   std::int32_t edge;
-  /// Which cells exist.
-  CellMask cells;
-  /// Their values in the order of positions.
-  const Value* values;
+  /// A block's cells as in packed_block; the value of one cell.
+  const Value* content;
 
   CellBox box() const { return {.min = origin, .max = origin + Cell::Constant(edge)}; }
+  /// Which cells exist.
+  CellMask cells() const { return edge == 1 ? CellMask::single(0) : packed_block::cells(content); }
+  /// Their values in the order of positions.
+  const Value* values() const { return edge == 1 ? content : packed_block::values(content); }
+  /// The value of a cell that lies in the leaf, null where it does not exist.
+  const Value* find(const Cell& cell) const {
+    return edge == 1 ? content : packed_block::find(content, block_position(cell));
+  }
 
   /// use(cell, value) for each existing cell, in Morton order.
   template <class Use>
   void for_each(Use&& use) const {
-    const Value* value = values;
-    cells.for_each([&](BlockPosition position) {
+    const Value* value = values();
+    cells().for_each([&](BlockPosition position) {
       use(Cell(origin + block_offset(position)), *value);
       ++value;
     });

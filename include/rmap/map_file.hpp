@@ -15,7 +15,7 @@ struct LoadOptions {
   /// `cells` takes more memory and time: up to some 800 times the length of the file, where
   /// `blocks` takes up to some 20 times (docs/formats/rmap.md).
   Layout layout = Layout::blocks;
-  int max_branches = 16;
+  int max_branches = 32;
   Split split = Split::quadratic;
   BadPoints bad_points = BadPoints::skip;
   Traversal traversal = Traversal::automatic;

@@ -49,7 +49,7 @@ struct Options {
 
   Layout layout = Layout::blocks;
   /// M of the R-tree, 4 to 64. Larger: fewer nodes and less memory, more overlap [RMAP 2.1].
-  int max_branches = 16;
+  int max_branches = 32;
   Split split = Split::quadratic;
 
   /// Probability that a cell in which a beam ended is occupied: in (prior, 1).

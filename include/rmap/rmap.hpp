@@ -3,6 +3,7 @@
 /// The whole library, for programs. Its own parts name the headers that they need.
 
 #include <rmap/beam.hpp>
+#include <rmap/block.hpp>
 #include <rmap/box.hpp>
 #include <rmap/box_query.hpp>
 #include <rmap/cast_ray.hpp>
@@ -20,6 +21,7 @@
 #include <rmap/map_file.hpp>
 #include <rmap/multiresolution.hpp>
 #include <rmap/options.hpp>
+#include <rmap/packed_block.hpp>
 #include <rmap/pose.hpp>
 #include <rmap/report.hpp>
 #include <rmap/rtree.hpp>

@@ -1,7 +1,5 @@
 #include "grid/block_store.hpp"
 
-#include "grid/packed_block.hpp"
-
 #include <algorithm>
 
 #include <fmt/format.h>
@@ -15,11 +13,7 @@ BlockStore::BlockStore(const Options& options) : LeafStore(options, kBlockEdge),
 std::unique_ptr<LeafStore> BlockStore::clone() const { return std::make_unique<BlockStore>(*this); }
 
 Leaf BlockStore::leaf(LeafId id, const Cell& origin) const {
-  const Value* const packed = run(id);
-  return {.origin = origin,
-          .edge = kBlockEdge,
-          .cells = packed_block::cells(packed),
-          .values = packed_block::values(packed)};
+  return {.origin = origin, .edge = kBlockEdge, .content = run(id)};
 }
 
 const Value* BlockStore::value_at(LeafId id, BlockPosition position) const {

@@ -18,7 +18,7 @@ CellStore::CellStore(const Options& options) : LeafStore(options, 1), entries_(1
 std::unique_ptr<LeafStore> CellStore::clone() const { return std::make_unique<CellStore>(*this); }
 
 Leaf CellStore::leaf(LeafId id, const Cell& origin) const {
-  return {.origin = origin, .edge = 1, .cells = kOneCell, .values = &entries_.record(id)->value};
+  return {.origin = origin, .edge = 1, .content = &entries_.record(id)->value};
 }
 
 LeafStore::Content CellStore::content(LeafId id) {

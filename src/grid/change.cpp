@@ -1,6 +1,7 @@
 #include "grid/implementation.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -29,17 +30,60 @@ void require_probability(double probability) {
                   what, place.x(), place.y(), place.z(), kMinCellIndex, kMaxCellIndex));
 }
 
+void require_blocks(std::span<const BlockValues> blocks) {
+  const Cell* before = nullptr;
+  for (const auto& [origin, cells, values] : blocks) {
+    if (!within_limits(origin)) refuse_beyond_limits("block", origin);
+    if (origin != block_origin(origin) || values.size() != cells.count()) {
+      throw Error(
+          ErrorKind::input,
+          fmt::format("the block at ({}, {}, {}) gets {} values for {} cells: it must start at "
+                      "multiples of {} and have one value for each cell",
+                      origin.x(), origin.y(), origin.z(), values.size(), cells.count(),
+                      kBlockEdge));
+    }
+    if (before != nullptr && !morton_less(*before, origin)) {
+      throw Error(
+          ErrorKind::input,
+          fmt::format("the block at ({}, {}, {}) comes behind the one at ({}, {}, {}): "
+                      "blocks must come in Morton order, each once",
+                      origin.x(), origin.y(), origin.z(), before->x(), before->y(), before->z()));
+    }
+    before = &origin;
+  }
+}
+
 // The cells of a leaf that lie in `region`.
 CellMask cells_within(const Leaf& leaf, const CellBox& region) {
-  if (region.contains(leaf.box())) return leaf.cells;
+  if (region.contains(leaf.box())) return leaf.cells();
   CellMask within;
-  leaf.cells.for_each([&](BlockPosition position) {
+  leaf.cells().for_each([&](BlockPosition position) {
     if (region.contains(Cell(leaf.origin + block_offset(position)))) within.set(position);
   });
   return within;
 }
 
 }  // namespace
+
+void Grid::Implementation::write(std::span<const LeafValues> leaves) {
+  const auto set = [&](LeafId id, const LeafValues& leaf, const CellMask& created) {
+    count_new_cells(created.count());
+    update(id, leaf.origin, leaf.cells, created,
+           [value = leaf.values](const Cell&, Value) mutable { return *value++; });
+  };
+  std::vector<MarkedLeaf> missing;
+  std::vector<const LeafValues*> values;
+  for (const LeafValues& leaf : leaves) {
+    if (const auto id = store->find(leaf.origin)) {
+      set(*id, leaf, store->add_missing(*id, leaf.cells, rule.prior()));
+    } else {
+      missing.push_back({0, leaf.origin, leaf.cells});
+      values.push_back(&leaf);
+    }
+  }
+  store->add_leaves(missing, rule.prior());
+  for (std::size_t i = 0; i < missing.size(); ++i) set(missing[i].id, *values[i], missing[i].cells);
+}
 
 std::size_t Grid::Implementation::remove_cells(const CellBox& region,
                                                FunctionRef<bool(Value)> drop) {
@@ -52,8 +96,8 @@ std::size_t Grid::Implementation::remove_cells(const CellBox& region,
   store->visit(region, [&](LeafId id, const Leaf& leaf) {
     const CellMask within = cells_within(leaf, region);
     CellMask dropped;
-    const Value* value = leaf.values;
-    leaf.cells.for_each([&](BlockPosition position) {
+    const Value* value = leaf.values();
+    leaf.cells().for_each([&](BlockPosition position) {
       if (within.test(position) && drop(*value)) {
         dropped.set(position);
         if (rule.occupied(*value)) log.flipped(leaf.origin + block_offset(position));
@@ -84,33 +128,29 @@ void Grid::set(const Cell& cell, double probability) {
 
 void Grid::set_value(const Cell& cell, Value value) {
   if (!within_limits(cell)) refuse_beyond_limits("cell", cell);
-  const CellMask one = CellMask::single(block_position(cell));
-  set_block(block_origin(cell), one, {&value, 1});
+  const BlockValues block{block_origin(cell), CellMask::single(block_position(cell)), {&value, 1}};
+  set_blocks({&block, 1});
 }
 
-void Grid::set_block(const Cell& origin, const CellMask& cells, std::span<const Value> values) {
-  if (!within_limits(origin)) refuse_beyond_limits("block", origin);
-  if (origin != block_origin(origin) || values.size() != cells.count()) {
-    throw Error(
-        ErrorKind::input,
-        fmt::format("the block at ({}, {}, {}) gets {} values for {} cells: it must start at "
-                    "multiples of {} and have one value for each cell",
-                    origin.x(), origin.y(), origin.z(), values.size(), cells.count(), kBlockEdge));
-  }
+void Grid::set_blocks(std::span<const BlockValues> blocks) {
+  require_blocks(blocks);
   Implementation& grid = *implementation_;
   grid.begin_mutation();
-  const Value* value = values.data();
-  const auto write = [&](const Cell& leaf_origin, const CellMask& mask) {
-    const auto [id, created] = grid.store->ensure(leaf_origin, mask, grid.rule.prior());
-    grid.count_new_cells(created.count());
-    grid.update(id, leaf_origin, mask, created, [&](const Cell&, Value) { return *value++; });
-  };
-  if (grid.store->edge() == kBlockEdge) {
-    if (!cells.none()) write(origin, cells);
-    return;
+  // So many leaves at a time at most: memory for them is little beside the map's.
+  constexpr std::size_t kMostLeaves = std::size_t{1} << 17;
+  std::vector<Implementation::LeafValues> leaves;
+  for (const BlockValues& block : blocks) {
+    if (leaves.size() + kBlockCells > kMostLeaves) grid.write(std::exchange(leaves, {}));
+    if (grid.store->edge() == kBlockEdge) {
+      if (!block.cells.none()) leaves.push_back({block.origin, block.cells, block.values.data()});
+      continue;
+    }
+    const Value* value = block.values.data();
+    block.cells.for_each([&](BlockPosition position) {
+      leaves.push_back({block.origin + block_offset(position), CellMask::single(0), value++});
+    });
   }
-  const CellMask one = CellMask::single(0);
-  cells.for_each([&](BlockPosition position) { write(origin + block_offset(position), one); });
+  grid.write(leaves);
 }
 
 void Grid::restore(History history, std::vector<Pose> scan_poses) {

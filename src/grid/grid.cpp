@@ -119,7 +119,7 @@ std::optional<std::string> Grid::check() const {
   if (auto broken = implementation_->store->check()) return broken;
   std::size_t cells = 0;
   visit_leaves(all_cells(), [&](const Leaf& leaf) {
-    cells += leaf.cells.count();
+    cells += leaf.cells().count();
     return true;
   });
   if (cells != cell_count()) {

@@ -44,6 +44,14 @@ class Grid::Implementation {
   template <class Change>
   std::uint64_t update_all(std::span<const MarkedLeaf> leaves, const Change& change);
 
+  /// Makes the cells of leaves, each leaf once, hold values.
+  struct LeafValues {
+    Cell origin;
+    CellMask cells;
+    const Value* values;  ///< in the order of positions
+  };
+  void write(std::span<const LeafValues> leaves);
+
   /// Removes the cells of `region` for which drop(value) holds; returns how many.
   std::size_t remove_cells(const CellBox& region, FunctionRef<bool(Value)> drop);
 

@@ -47,7 +47,7 @@ bool LeafStore::visit_where(FunctionRef<bool(const CellBox&)> enter,
 
 void LeafStore::visit_along(const Beam& beam,
                             FunctionRef<double(const Leaf&, double enter)> visit) const {
-  tree_.crossed_in_order(beam, [&](const CellBox& box, LeafId id, double enter) {
+  tree_.crossed_until(beam, [&](const CellBox& box, LeafId id, double enter) {
     return visit(leaf(id, box.min), enter);
   });
 }
@@ -112,7 +112,7 @@ std::optional<std::string> LeafStore::check() const {
   visit(all_cells(), [&](LeafId id, const Leaf& found) {
     if (id >= id_limit()) {
       broken = fmt::format("leaf number {} is beyond {}", id, id_limit());
-    } else if (found.cells.none()) {
+    } else if (found.cells().none()) {
       broken = fmt::format("the leaf at ({}, {}, {}) holds no cell", found.origin.x(),
                            found.origin.y(), found.origin.z());
     } else if (found.origin != origin_of(found.origin)) {

@@ -109,16 +109,12 @@ class Columns {
     return mask;
   }
 
-  /// Its values, one for each of `into`.
-  void next_values(std::span<Value> into) {
-    if (into.size() > values_left()) {
-      refuse(fmt::format("has values for {} cells, and more cells in its masks", cells_));
-    }
-    for (Value& value : into) {
-      value = load_little<Value>(&values_[sizeof(Value) * next_value_++]);
+  /// The values of all blocks.
+  void read_values(std::span<Value> into) const {
+    for (std::size_t i = 0; i < into.size(); ++i) {
+      into[i] = load_little<Value>(&values_[sizeof(Value) * i]);
     }
   }
-  std::size_t values_left() const { return cells_ - next_value_; }
 
  private:
   std::span<const std::byte> take(std::uint64_t count) {
@@ -150,7 +146,6 @@ class Columns {
   std::span<const std::byte> values_;
   std::array<std::uint32_t, 3> index_before_ = {};
   std::size_t next_mask_byte_ = 0;
-  std::size_t next_value_ = 0;
 };
 
 }  // namespace
@@ -200,14 +195,17 @@ std::vector<std::byte> BlockEncoder::take_content() {
   return content;
 }
 
-void BlockDecoder::decode(std::span<const std::byte> content, std::uint64_t stored_size, Use use) {
+std::span<const BlockValues> BlockDecoder::decode(std::span<const std::byte> content,
+                                                  std::uint64_t stored_size) {
   Columns columns(content);
   if (const auto least = least_size_of_blocks(columns.blocks(), columns.cells());
       stored_size < least) {
     refuse(fmt::format("takes {} bytes for {} blocks with {} cells: it must take at least {}",
                        stored_size, columns.blocks(), columns.cells(), least));
   }
-  std::array<Value, kBlockCells> values;
+  chunk_.clear();
+  values_.resize(columns.cells());
+  std::span<Value> values_left(values_);
   for (std::uint32_t block = 0; block < columns.blocks(); ++block) {
     const Cell origin = columns.next_origin(block);
     if (last_origin_ && !morton_less(*last_origin_, origin)) {
@@ -219,16 +217,21 @@ void BlockDecoder::decode(std::span<const std::byte> content, std::uint64_t stor
     }
     last_origin_ = origin;
     const CellMask mask = columns.next_mask(block);
-    const auto its_values = std::span(values).first(mask.count());
-    columns.next_values(its_values);
-    use(origin, mask, its_values);
+    const std::size_t count = mask.count();
+    if (count > values_left.size()) {
+      refuse(fmt::format("has values for {} cells, and more cells in its masks", columns.cells()));
+    }
+    chunk_.push_back({origin, mask, values_left.first(count)});
+    values_left = values_left.subspan(count);
   }
-  if (columns.values_left() != 0) {
+  if (!values_left.empty()) {
     refuse(fmt::format("has values for {} cells, and only {} cells in its masks", columns.cells(),
-                       columns.cells() - columns.values_left()));
+                       columns.cells() - values_left.size()));
   }
+  columns.read_values(values_);
   blocks_ += columns.blocks();
   cells_ += columns.cells();
+  return chunk_;
 }
 
 }  // namespace rmap::wire

@@ -6,7 +6,6 @@
 #include <span>
 #include <vector>
 
-#include <rmap/function_ref.hpp>
 #include <rmap/leaf.hpp>
 
 /// The content of a CELL chunk: blocks of 8 x 8 x 8 cells in Morton order, by columns
@@ -35,18 +34,19 @@ class BlockEncoder {
 /// Reads the contents of the CELL chunks of one file, in their order.
 class BlockDecoder {
  public:
-  using Use =
-      FunctionRef<void(const Cell& origin, const CellMask& cells, std::span<const Value> values)>;
-
-  /// Calls `use` for each block; `stored_size` is what the content takes in the file.
-  /// Throws Error(input) with what is wrong as a predicate, for the reader to complete.
-  void decode(std::span<const std::byte> content, std::uint64_t stored_size, Use use);
+  /// The blocks of a chunk, in Morton order, until the next call; `stored_size` is what the
+  /// content takes in the file. Throws Error(input) with what is wrong as a predicate, for
+  /// the reader to complete.
+  std::span<const BlockValues> decode(std::span<const std::byte> content,
+                                      std::uint64_t stored_size);
 
   /// Blocks and cells so far.
   std::uint64_t blocks() const { return blocks_; }
   std::uint64_t cells() const { return cells_; }
 
  private:
+  std::vector<BlockValues> chunk_;
+  std::vector<Value> values_;
   std::optional<Cell> last_origin_;
   std::uint64_t blocks_ = 0;
   std::uint64_t cells_ = 0;

@@ -162,11 +162,7 @@ Grid loaded(const std::filesystem::path& file, const LoadOptions& options) {
       read_poses(reader, *chunk, poses);
     } else {
       decoded(reader, *chunk, [&](std::span<const std::byte> content) {
-        blocks.decode(
-            content, chunk->header.stored_size,
-            [&](const Cell& origin, const CellMask& cells, std::span<const Value> values) {
-              grid->set_block(origin, cells, values);
-            });
+        grid->set_blocks(blocks.decode(content, chunk->header.stored_size));
       });
     }
   }

@@ -15,7 +15,7 @@ BoxOccupancy cell_box_occupancy(const Grid& grid, const CellBox& box) {
   };
   grid.visit_leaves(box, [&](const Leaf& leaf) {
     if (box.contains(leaf.box())) {
-      std::for_each_n(leaf.values, leaf.cells.count(), add);
+      std::for_each_n(leaf.values(), leaf.cells().count(), add);
     } else {
       leaf.for_each([&](const Cell& cell, Value value) {
         if (box.contains(cell)) add(value);

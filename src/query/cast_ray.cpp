@@ -37,6 +37,45 @@ Ray checked_ray(const Grid& grid, const Vector3d& origin, const Vector3d& direct
   return {.along = scaled / scaled.norm(), .length = std::min(max_range, reach)};
 }
 
+// Some cells of a leaf among which are all existing ones that the beam crosses behind `enter`:
+// those around its piece within the leaf.
+class NearBeam {
+ public:
+  explicit NearBeam(const Beam& beam)
+      : origin_(beam.origin()), direction_(beam.direction()), inverse_(direction_.cwiseInverse()) {}
+
+  CellMask of(const Leaf& leaf, double enter) const {
+    if (leaf.edge == 1) return leaf.cells();
+    double leave = 1;
+    for (int axis = 0; axis < 3; ++axis) {
+      if (direction_[axis] == 0) continue;
+      const std::int32_t plane = leaf.origin[axis] + (direction_[axis] > 0 ? kBlockEdge : 0);
+      leave = std::min(leave, (plane - origin_[axis]) * inverse_[axis]);
+    }
+    Cell low;
+    Cell high;
+    for (int axis = 0; axis < 3; ++axis) {
+      const double corner = leaf.origin[axis];
+      const double from = origin_[axis] + enter * direction_[axis] - corner;
+      const double to = origin_[axis] + leave * direction_[axis] - corner;
+      low[axis] = offset_of(std::min(from, to) - kSpare);
+      high[axis] = offset_of(std::max(from, to) + kSpare);
+    }
+    return leaf.cells() & cells_between(low, high);
+  }
+
+ private:
+  static constexpr double kSpare = 0x1p-10;  // cells; far above the error of a rounded point
+
+  static std::int32_t offset_of(double at) {
+    return static_cast<std::int32_t>(std::clamp(at, 0.0, kBlockEdge - 1.0));
+  }
+
+  Vector3d origin_;
+  Vector3d direction_;
+  Vector3d inverse_;
+};
+
 // The side through which the beam enters `cell` at parameter `enter`.
 Face entry_face(const Beam& beam, const Cell& cell, double enter) {
   for (int axis = 0; axis < 3; ++axis) {
@@ -65,12 +104,14 @@ std::optional<RayHit> cast_ray(const Grid& grid, const Vector3d& origin, const V
 
   std::optional<Cell> first;
   double first_enter = 1;
-  grid.visit_leaves_along(beam, [&](const Leaf& leaf, double) {
+  const NearBeam near_beam(beam);
+  grid.visit_leaves_along(beam, [&](const Leaf& leaf, double enter) {
+    const CellMask cells = near_beam.of(leaf, enter);
+    if (cells.none()) return first_enter;
     for (BeamWalk walk(beam, leaf.box()); walk.more() && walk.enter() < first_enter;
          walk.advance()) {
       const BlockPosition position = leaf.edge == 1 ? 0 : block_position(walk.cell());
-      if (leaf.cells.test(position) &&
-          grid.rule().occupied(leaf.values[leaf.cells.rank(position)])) {
+      if (cells.test(position) && grid.rule().occupied(*leaf.find(walk.cell()))) {
         first = walk.cell();
         first_enter = walk.enter();
         break;

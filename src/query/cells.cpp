@@ -43,8 +43,13 @@ class Selector {
     return !selection_.sphere || reaches(*selection_.sphere, lattice_.metric(leaf.box()));
   }
 
+  /// Whether the place of a cell of the leaf does not matter.
+  bool wants_all_places(const Leaf& leaf) const {
+    return !selection_.sphere && region_.contains(leaf.box());
+  }
+  bool wants(Value value) const { return !selection_.occupied_only || rule_.occupied(value); }
   bool wants(const Cell& cell, Value value) const {
-    return (!selection_.occupied_only || rule_.occupied(value)) && region_.contains(cell) &&
+    return wants(value) && region_.contains(cell) &&
            (!selection_.sphere || reaches(*selection_.sphere, lattice_.metric(box_of(cell))));
   }
 
@@ -114,9 +119,15 @@ void for_each_cell(const Grid& grid, const CellSelection& selection,
   grid.visit_leaves(selector.region(), [&](const Leaf& leaf) {
     if (!selector.wants(leaf)) return true;
     bool go_on = true;
-    leaf.for_each([&](const Cell& cell, Value value) {
-      if (go_on && selector.wants(cell, value)) go_on = use(cell, value);
-    });
+    if (selector.wants_all_places(leaf)) {
+      leaf.for_each([&](const Cell& cell, Value value) {
+        if (go_on && selector.wants(value)) go_on = use(cell, value);
+      });
+    } else {
+      leaf.for_each([&](const Cell& cell, Value value) {
+        if (go_on && selector.wants(cell, value)) go_on = use(cell, value);
+      });
+    }
     return go_on;
   });
 }

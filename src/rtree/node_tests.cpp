@@ -87,7 +87,12 @@ std::uint64_t equal_to(const BranchColumns& columns, const CellBox& box) {
   return related<EqualTo>(columns, box);
 }
 
-std::uint64_t crossed(const BranchColumns& columns, const Beam& beam, Measures& enter) {
+// The branches between whose planes the beam runs for a while, with the parameters at which it
+// enters them. parameter(d, distances, axis) is for planes at these distances from the origin;
+// earliest(d, enter) and latest(d, leave) allow for its error.
+template <class Parameter, class Enter, class Leave>
+std::uint64_t met(const BranchColumns& columns, const Beam& beam, Measures& enter,
+                  const Parameter& parameter, const Enter& earliest, const Leave& latest) {
   if (beam.crosses_nothing()) return 0;
   std::uint64_t mask = 0;
   by_vectors<double, 8>(columns, 0, [&](auto d, std::size_t first) {
@@ -107,20 +112,40 @@ std::uint64_t crossed(const BranchColumns& columns, const Beam& beam, Measures& 
                                              hn::Lt(layer, hn::PromoteTo(d, max))));
         continue;
       }
-      // Beam::parameter, operation by operation.
-      const auto parameter = [&](auto plane) {
-        return hn::Div(hn::Sub(hn::PromoteTo(d, plane), hn::Set(d, beam.origin()[at])),
-                       hn::Set(d, direction));
+      const auto from_origin = [&](auto plane) {
+        return hn::Sub(hn::PromoteTo(d, plane), hn::Set(d, beam.origin()[at]));
       };
-      const auto at_near = parameter(direction > 0 ? min : max);
-      const auto at_far = parameter(direction > 0 ? max : min);
+      const auto at_near = parameter(d, from_origin(direction > 0 ? min : max), at);
+      const auto at_far = parameter(d, from_origin(direction > 0 ? max : min), at);
       entered = hn::IfThenElse(hn::Lt(entered, at_near), at_near, entered);
       left = hn::IfThenElse(hn::Lt(at_far, left), at_far, left);
     }
+    entered = earliest(d, entered);
     hn::StoreU(entered, d, enter.data() + first);
-    mask |= bits_of(d, hn::And(in_layer, hn::Lt(entered, left))) << first;
+    mask |= bits_of(d, hn::And(in_layer, hn::Lt(entered, latest(d, left)))) << first;
   });
   return mask & all(columns);
+}
+
+std::uint64_t crossed(const BranchColumns& columns, const Beam& beam, Measures& enter) {
+  const auto same = [](auto, auto value) { return value; };
+  return met(
+      columns, beam, enter,
+      [&](auto d, auto distance, int axis) {
+        return hn::Div(distance, hn::Set(d, beam.direction()[axis]));  // Beam::parameter
+      },
+      same, same);
+}
+
+// A product with the inverse is within 2^-51 of the quotient, relative to it.
+std::uint64_t may_cross(const BranchColumns& columns, const Beam& beam, const Vector3d& inverse,
+                        Measures& enter) {
+  constexpr double kWiden = 0x1p-50;
+  return met(
+      columns, beam, enter,
+      [&](auto d, auto distance, int axis) { return hn::Mul(distance, hn::Set(d, inverse[axis])); },
+      [&](auto d, auto entered) { return hn::Mul(entered, hn::Set(d, 1 - kWiden)); },
+      [&](auto d, auto left) { return hn::Mul(left, hn::Set(d, 1 + kWiden)); });
 }
 
 }  // namespace HWY_NAMESPACE
@@ -135,6 +160,7 @@ HWY_EXPORT(contained_in);
 HWY_EXPORT(enclosing);
 HWY_EXPORT(equal_to);
 HWY_EXPORT(crossed);
+HWY_EXPORT(may_cross);
 
 std::uint64_t overlapping(const BranchColumns& columns, const CellBox& region) {
   return HWY_DYNAMIC_DISPATCH(overlapping)(columns, region);
@@ -150,6 +176,10 @@ std::uint64_t equal_to(const BranchColumns& columns, const CellBox& box) {
 }
 std::uint64_t crossed(const BranchColumns& columns, const Beam& beam, Measures& enter) {
   return HWY_DYNAMIC_DISPATCH(crossed)(columns, beam, enter);
+}
+std::uint64_t may_cross(const BranchColumns& columns, const Beam& beam, const Vector3d& inverse,
+                        Measures& enter) {
+  return HWY_DYNAMIC_DISPATCH(may_cross)(columns, beam, inverse, enter);
 }
 
 namespace {

@@ -32,6 +32,10 @@ std::uint64_t equal_to(const BranchColumns& columns, const CellBox& box);
 /// bit for bit crossing(beam, box). Since t(k) is monotone, an MBRC is crossed
 /// whenever a box in it is, and entered no later.
 std::uint64_t crossed(const BranchColumns& columns, const Beam& beam, Measures& enter);
+/// Branches that `beam` may cross, among them all that it does, with lower bounds of their
+/// parameters of entry: without divisions. `inverse`: of the beam's direction, by axis.
+std::uint64_t may_cross(const BranchColumns& columns, const Beam& beam, const Vector3d& inverse,
+                        Measures& enter);
 
 /// Squares of the distances from `point` (cell units) to the closed boxes; monotone, so
 /// that of an MBRC is at most that of a box in it.

@@ -1,6 +1,9 @@
 #include "rtree/node_tests.hpp"
 
+#include <algorithm>
+#include <array>
 #include <bit>
+#include <limits>
 
 #include <rmap/rtree/box_tree.hpp>
 
@@ -42,21 +45,70 @@ bool descend_from(const BoxTree& tree, std::uint32_t node, int level, BoxTree::E
   return true;
 }
 
+std::optional<BoxTree::Place> find_below(const BoxTree& tree, std::uint32_t node, int level,
+                                         const CellBox& box) {
+  const NodePool& pool = tree.nodes(level);
+  if (level == 0) {
+    const std::uint64_t equal = node_tests::equal_to(pool.columns(node), box);
+    if (equal == 0) return std::nullopt;
+    return BoxTree::Place{node, std::countr_zero(equal)};
+  }
+  std::uint64_t enclosing = node_tests::enclosing(pool.columns(node), box);
+  for (; enclosing != 0; enclosing &= enclosing - 1) {
+    const std::uint32_t child = pool.child(node, std::countr_zero(enclosing));
+    if (const auto found = find_below(tree, child, level - 1, box)) return found;
+  }
+  return std::nullopt;
+}
+
+/// A search for what a beam crosses before a limit that falls as things are found.
+class LimitedSearch {
+ public:
+  LimitedSearch(const BoxTree& tree, const Beam& beam, BoxTree::VisitInOrder visit)
+      : tree_(tree), beam_(beam), inverse_(beam.direction().cwiseInverse()), visit_(visit) {}
+
+  /// Visits the items below `node`, branches that may be entered first before others.
+  void below(std::uint32_t node, int level) {
+    const NodePool& pool = tree_.nodes(level);
+    node_tests::Measures enter;
+    std::uint64_t crossed = node_tests::may_cross(pool.columns(node), beam_, inverse_, enter);
+    std::array<std::uint8_t, kMaxBranches> order;
+    std::size_t count = 0;
+    for (; crossed != 0; crossed &= crossed - 1) {
+      const auto branch = static_cast<std::size_t>(std::countr_zero(crossed));
+      std::size_t place = count++;
+      for (; place > 0 && enter[branch] < enter[order[place - 1]]; --place) {
+        order[place] = order[place - 1];
+      }
+      order[place] = static_cast<std::uint8_t>(branch);
+    }
+    for (std::size_t i = 0; i < count && enter[order[i]] < limit_; ++i) {
+      if (level > 0) {
+        below(pool.child(node, order[i]), level - 1);
+      } else {
+        item(pool.box(node, order[i]), {node, order[i]});
+      }
+    }
+  }
+
+ private:
+  void item(const CellBox& box, BoxTree::Place place) {
+    const auto part = crossing(beam_, box);
+    if (part && part->enter < limit_) limit_ = std::min(limit_, visit_(box, place, part->enter));
+  }
+
+  const BoxTree& tree_;
+  const Beam& beam_;
+  Vector3d inverse_;
+  BoxTree::VisitInOrder visit_;
+  double limit_ = std::numeric_limits<double>::infinity();
+};
+
 }  // namespace
 
 std::optional<BoxTree::Place> BoxTree::find(const CellBox& box) const {
-  std::optional<Place> found;
-  search(
-      *this,
-      [&](const BranchColumns& columns, int level) {
-        return level == 0 ? node_tests::equal_to(columns, box)
-                          : node_tests::enclosing(columns, box);
-      },
-      [&](const CellBox&, Place place) {
-        found = place;
-        return false;
-      });
-  return found;
+  if (height_ == 0) return std::nullopt;
+  return find_below(*this, root_, height_ - 1, box);
 }
 
 bool BoxTree::for_each(Visit visit) const {
@@ -99,6 +151,11 @@ bool BoxTree::crossed_by(const Beam& beam, Visit visit) const {
         return node_tests::crossed(columns, beam, enter);
       },
       visit);
+}
+
+void BoxTree::crossed_until(const Beam& beam, VisitInOrder visit) const {
+  if (height_ == 0) return;
+  LimitedSearch(*this, beam, visit).below(root_, height_ - 1);
 }
 
 bool BoxTree::descend(Enter enter, Visit visit) const {

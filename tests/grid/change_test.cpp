@@ -75,7 +75,13 @@ TEST_P(ChangeInLayout, SetEraseAndPruneEqualAPlainMap) {
   EXPECT_GT(erased, 150);
 }
 
-TEST_P(ChangeInLayout, SetBlockWritesValuesAsTheyAre) {
+void set_block(Grid& grid, const Cell& origin, const CellMask& cells,
+               std::span<const Value> values) {
+  const BlockValues block{origin, cells, values};
+  grid.set_blocks({&block, 1});
+}
+
+TEST_P(ChangeInLayout, SetBlocksWritesValuesAsTheyAre) {
   Random random(12);
   SCOPED_TRACE(random.trace());
   Grid grid(options());
@@ -90,7 +96,7 @@ TEST_P(ChangeInLayout, SetBlockWritesValuesAsTheyAre) {
       values.push_back(static_cast<Value>(random.integer(-32768, 32767)));
       plain[origin + block_offset(position)] = values.back();
     }
-    grid.set_block(origin, cells, values);
+    set_block(grid, origin, cells, values);
   }
   EXPECT_EQ(content(grid), plain);
   EXPECT_EQ(grid.check().value_or(""), "");
@@ -100,9 +106,14 @@ TEST_P(ChangeInLayout, SetBlockWritesValuesAsTheyAre) {
     return mask;
   }();
   const std::vector<Value> value = {5};
-  EXPECT_THROW(grid.set_block({1, 0, 0}, one, value), Error);
-  EXPECT_THROW(grid.set_block({0, 0, 0}, one, {}), Error);
-  EXPECT_THROW(grid.set_block({0, 0, kMaxCellIndex + 1}, one, value), Error);
+  EXPECT_THROW(set_block(grid, {1, 0, 0}, one, value), Error);
+  EXPECT_THROW(set_block(grid, {0, 0, 0}, one, {}), Error);
+  EXPECT_THROW(set_block(grid, {0, 0, kMaxCellIndex + 1}, one, value), Error);
+  const BlockValues first{{0, 0, 0}, one, value};
+  const BlockValues second{{8, 0, 0}, one, value};
+  for (const auto& wrong : {std::array{second, first}, std::array{first, first}}) {
+    EXPECT_THROW(grid.set_blocks(wrong), Error);
+  }
   EXPECT_EQ(content(grid), plain);
 }
 

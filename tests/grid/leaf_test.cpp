@@ -22,6 +22,22 @@ TEST(BlockPosition, FollowsTheMortonOrderOfCells) {
   }
 }
 
+TEST(Block, CellsBetweenAreThoseWithTheirOffsetsBetween) {
+  test::Random random(4);
+  SCOPED_TRACE(random.trace());
+  for (int round = 0; round < 300; ++round) {
+    const Cell a = random.cell(0, kBlockEdge - 1);
+    const Cell b = random.cell(0, kBlockEdge - 1);
+    const Cell low = a.cwiseMin(b);
+    const Cell high = a.cwiseMax(b);
+    const CellMask mask = cells_between(low, high);
+    const CellBox box{low, high + Cell::Ones()};
+    for (BlockPosition position = 0; position < kBlockCells; ++position) {
+      ASSERT_EQ(mask.test(position), box.contains(block_offset(position)));
+    }
+  }
+}
+
 TEST(CellMask, IsASetOfPositions) {
   test::Random random(3);
   SCOPED_TRACE(random.trace());

@@ -1,10 +1,10 @@
-#include "grid/packed_block.hpp"
-
 #include "support/random.hpp"
 
 #include <array>
 
 #include <gtest/gtest.h>
+
+#include <rmap/packed_block.hpp>
 
 namespace rmap {
 namespace {

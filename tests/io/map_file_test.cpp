@@ -254,7 +254,10 @@ TEST_F(MapFile, takes_the_room_that_bounds_the_memory_for_it) {
   for (BlockPosition i = 0; i < kBlockCells; ++i) all.set(i);
   const std::vector<Value> values(kBlockCells, 3500);
   for (int i = 0; i < 20; ++i) {
-    for (int j = 0; j < 20; ++j) grid.set_block({8 * i, 8 * j, 0}, all, values);
+    for (int j = 0; j < 20; ++j) {
+      const BlockValues block{{8 * i, 8 * j, 0}, all, values};
+      grid.set_blocks({&block, 1});
+    }
   }
   expect_round_trip(grid);
   const MapFileInfo info = read_map_info(file_);

@@ -104,6 +104,44 @@ TEST(BestFirst, NothingComesThatEntersAtOrBeyondTheLimit) {
   EXPECT_GT(cut, 1000u);
 }
 
+TEST(BestFirst, WithoutAnOrderAllComeThatEnterBeforeTheLimit) {
+  std::size_t met = 0;
+  const int cases = for_each_case([&](const Case& of, Random& random) {
+    for (int kind = 0; kind < test::kBeamKinds; ++kind) {
+      const Beam beam = test::beam_of(kind, of.tree.bounds(), random);
+      const auto ranking =
+          plain_ranking(of.items, [&](const CellBox& box) { return test::entry(beam, box); });
+      std::vector<double> all;
+      of.tree.crossed_until(beam, [&](const CellBox& box, int payload, double enter) {
+        EXPECT_EQ(of.items[static_cast<std::size_t>(payload)].box, box);
+        EXPECT_EQ(enter, crossing(beam, box)->enter);
+        all.push_back(enter);
+        return 2.0;
+      });
+      std::sort(all.begin(), all.end());
+      ASSERT_TRUE(
+          std::equal(all.begin(), all.end(), ranking.begin(), ranking.end(),
+                     [](double enter, const Ranked& ranked) { return enter == ranked.key; }));
+      met += all.size();
+
+      // Who looks for the least exit finds it.
+      double least = 2;
+      for (const Ranked& ranked : ranking) {
+        least = std::min(least, crossing(beam, ranked.box)->leave);
+      }
+      double found = 2;
+      of.tree.crossed_until(beam, [&](const CellBox& box, int, double enter) {
+        EXPECT_LT(enter, found);
+        found = std::min(found, crossing(beam, box)->leave);
+        return found;
+      });
+      ASSERT_EQ(found, least);
+    }
+  });
+  EXPECT_EQ(cases, kCases);
+  EXPECT_GT(met, 10000u);
+}
+
 TEST(BestFirst, ALimitNeverRisesAgainAndEnterStops) {
   Tree tree({.max_branches = 4});
   for (int i = 0; i < 40; ++i) tree.insert(box_of({i, 0, 0}), i);

@@ -16,8 +16,8 @@ TEST(ExactMath, sine_and_cosine_equal_those_of_the_c_library_to_the_last_bits) {
   int cases = 0;
   for (int i = 0; i < 20000; ++i) {
     // Within one turn, where the C library's argument is rounded little.
-    const double turns =
-        i % 4 == 0 ? static_cast<double>(i / 4 - 2500) / 5000 : random.real(-0.5, 0.5);
+    const int step = i / 4 - 2500;
+    const double turns = i % 4 == 0 ? static_cast<double>(step) / 5000 : random.real(-0.5, 0.5);
     const auto [sine, cosine] = sine_cosine_of_turns(turns);
     const double angle = 2 * std::numbers::pi * turns;
     ASSERT_NEAR(sine, std::sin(angle), 6e-16) << turns;

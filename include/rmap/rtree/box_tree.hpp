@@ -66,6 +66,7 @@ class BoxTree {
   bool crossed_by(const Beam& beam, Visit visit) const;
   bool descend(Enter enter, Visit visit) const;
   void crossed_in_order(const Beam& beam, VisitInOrder visit) const;
+  void crossed_until(const Beam& beam, VisitInOrder visit) const;
   void nearest(const Vector3d& point, std::size_t k, VisitNearest visit) const;
 
   std::size_t size() const { return size_; }

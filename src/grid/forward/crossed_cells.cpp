@@ -12,7 +12,7 @@ void mark_crossed(const LeafStore& store, const Beam& beam, const LeafMarks& hit
                   LeafMarks& crossed) {
   store.visit_crossed(beam, [&](LeafId id, const Leaf& leaf) {
     CellMask& marks = crossed.at(id, leaf.origin);
-    CellMask left = leaf.cells.without(marks);
+    CellMask left = leaf.cells().without(marks);
     if (const CellMask* hits = hit.find(id)) left = left.without(*hits);
     if (left.none()) return true;
     CellMask walked;

@@ -33,10 +33,12 @@ struct Candidates {
 
 // The cells of a leaf that a crossing beam would change.
 CellMask open_cells(const Leaf& leaf, const CellMask* hits, const UpdateRule& rule) {
-  const CellMask left = hits == nullptr ? leaf.cells : leaf.cells.without(*hits);
+  const CellMask existing = leaf.cells();
+  const Value* const values = leaf.values();
+  const CellMask left = hits == nullptr ? existing : existing.without(*hits);
   CellMask open = left;
-  left.for_each_ranked(leaf.cells, [&](BlockPosition position, std::uint32_t rank) {
-    if (rule.settled(leaf.values[rank])) open.reset(position);
+  left.for_each_ranked(existing, [&](BlockPosition position, std::uint32_t rank) {
+    if (rule.settled(values[rank])) open.reset(position);
   });
   return open;
 }

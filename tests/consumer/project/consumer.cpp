@@ -52,7 +52,7 @@ void print_layouts() {
   print_layout("Changes", changes, changes.revision, changes.blocks, changes.cells,
                changes.complete);
   const rmap::Leaf leaf{};
-  print_layout("Leaf", leaf, leaf.origin, leaf.edge, leaf.cells, leaf.values);
+  print_layout("Leaf", leaf, leaf.origin, leaf.edge, leaf.content);
   const rmap::SceneObject object;
   print_layout("SceneObject", object, object.shape, object.map_from_object, object.motion,
                object.visible_until);

@@ -1,10 +1,11 @@
 #pragma once
 
 #include <bit>
+#include <cstddef>
 #include <cstdint>
 #include <cstring>
 
-#include <rmap/leaf.hpp>
+#include <rmap/block.hpp>
 
 namespace rmap {
 
@@ -13,9 +14,9 @@ namespace rmap {
 /// Few cells take few bytes; a full block takes a 500th more than with the mask as it is.
 namespace packed_block {
 
-inline constexpr std::uint32_t kHeader = 1;
-inline constexpr std::uint32_t kWord = sizeof(std::uint64_t) / sizeof(Value);
-inline constexpr std::uint32_t kMaxLength = kHeader + 8 * kWord + kBlockCells;
+inline constexpr std::size_t kHeader = 1;
+inline constexpr std::size_t kWord = sizeof(std::uint64_t) / sizeof(Value);
+inline constexpr std::size_t kMaxLength = kHeader + 8 * kWord + kBlockCells;
 
 inline std::uint32_t words_present(const CellMask& cells) {
   std::uint32_t present = 0;
@@ -27,7 +28,8 @@ inline std::uint32_t words_present(const CellMask& cells) {
 
 /// Units that a block with these cells takes.
 inline std::uint32_t length(const CellMask& cells) {
-  return kHeader + kWord * bit_count(words_present(cells)) + cells.count();
+  return static_cast<std::uint32_t>(kHeader + kWord * bit_count(words_present(cells)) +
+                                    cells.count());
 }
 
 namespace detail {
