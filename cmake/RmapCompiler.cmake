@@ -22,6 +22,12 @@ target_compile_options(rmap_compile_options INTERFACE
   $<$<CXX_COMPILER_ID:GNU>:-Wno-error=array-bounds -Wno-error=restrict
     -Wno-error=stringop-overflow -Wno-error=stringop-overread -Wno-error=maybe-uninitialized>)
 
+# On 64-bit ARM, NEON: GCC 12 crashes on the other vector instructions, of unknown length.
+if(CMAKE_SYSTEM_PROCESSOR MATCHES "aarch64|arm64")
+  target_compile_definitions(rmap_compile_options INTERFACE
+    "HWY_DISABLED_TARGETS=(HWY_SVE|HWY_SVE2|HWY_SVE_256|HWY_SVE2_128)")
+endif()
+
 set(RMAP_SANITIZE "" CACHE STRING "Sanitizers to build with: address,undefined or thread")
 if(RMAP_SANITIZE)
   add_compile_options(-fsanitize=${RMAP_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)

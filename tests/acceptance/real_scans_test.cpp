@@ -3,6 +3,7 @@
 #include "support/plain_grid.hpp"
 #include "support/real_data.hpp"
 #include "support/scans.hpp"
+#include "support/simd_targets.hpp"
 
 #include <algorithm>
 #include <set>
@@ -96,6 +97,27 @@ TEST_P(RealScans, AllBeamsTreat5000CellsAsTheDefinitionSays) {
   for (const auto& [cell, value] : plain.cells()) {
     ASSERT_EQ(grid.cell_value(cell), value) << cell.transpose();
   }
+}
+
+// All beams at 0.1 m: followed one by one, and cast inversely with every set of vector
+// instructions.
+TEST_P(RealScans, InverseCastingEqualsTheForwardWalk) {
+  Random random(73);
+  SCOPED_TRACE(random.trace());
+  Grid forward({.resolution = 0.1, .traversal = Traversal::forward});
+  InsertReport expected;
+  for (const Scan& scan : scans_) expected += forward.insert(scan);
+  EXPECT_GT(expected.misses, 200u);
+  int threads = 1;
+  test::for_each_simd_target([&](const char* target) {
+    SCOPED_TRACE(target);
+    Grid inverse({.resolution = 0.1, .traversal = Traversal::inverse, .threads = threads++});
+    InsertReport report;
+    for (const Scan& scan : scans_) report += inverse.insert(test::shuffled(scan, random));
+    EXPECT_EQ(report, expected);
+    EXPECT_TRUE(same_map(inverse, forward));
+  });
+  EXPECT_GT(threads, 1);
 }
 
 }  // namespace

@@ -234,5 +234,19 @@ TEST(Traversal, ManyBeamsGiveTheSameMapWithAnyThreads) {
   }
 }
 
+TEST(Traversal, MillionsOfBeamsInOneScan) {
+  Random random(92);
+  SCOPED_TRACE(random.trace());
+  const Scan scan = test::random_scan(random, 3'000'000, 4);
+  Grid forward({.resolution = 0.2, .traversal = Traversal::forward});
+  Grid inverse({.resolution = 0.2, .traversal = Traversal::inverse, .threads = 2});
+  for (int i = 0; i < 2; ++i) {
+    const InsertReport expected = forward.insert(scan);
+    ASSERT_EQ(inverse.insert(scan), expected);
+    EXPECT_EQ(expected.points, 3'000'000u);
+  }
+  EXPECT_TRUE(same_map(inverse, forward));
+}
+
 }  // namespace
 }  // namespace rmap
