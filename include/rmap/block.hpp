@@ -151,7 +151,7 @@ inline CellMask cells_between(const Cell& low, const Cell& high) {
   }();
   const auto layers = [&](int axis) {
     const auto& below = kBelow[static_cast<std::size_t>(axis)];
-    return below[static_cast<std::size_t>(high[axis] + 1)].without(
+    return below[static_cast<std::size_t>(high[axis]) + 1].without(
         below[static_cast<std::size_t>(low[axis])]);
   };
   return layers(0) & layers(1) & layers(2);
