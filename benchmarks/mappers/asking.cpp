@@ -92,6 +92,7 @@ Said ask_once(const MapAnswers& map, const std::vector<Vector3d>& points,
     for (const Ray& ray : rays) said.hits.push_back(map.first_occupied(ray));
   }));
   const std::filesystem::path file = scratch_file(map);
+  ::sync();  // else who waits for the disk waits for what others wrote before
   laps.save.push_back(seconds_of([&] { map.save(file); }));
   figures.file_bytes = std::filesystem::file_size(file);
   std::size_t loaded = 0;

@@ -2,6 +2,8 @@
 
 #include <chrono>
 #include <fstream>
+#include <span>
+#include <string_view>
 #include <thread>
 
 #include <fmt/chrono.h>
@@ -101,7 +103,11 @@ Setting setting_of(int argc, const char* const* argv) {
       .openvdb = RMAP_BENCH_OPENVDB,
       .date = fmt::format("{:%Y-%m-%d}", fmt::gmtime(std::chrono::system_clock::now())),
       .command = "rmap_bench_mappers"};
-  for (int i = 1; i < argc; ++i) setting.command += fmt::format(" {}", argv[i]);
+  for (const std::string_view argument :
+       std::span(argv, static_cast<std::size_t>(argc)).subspan(1)) {
+    const char* const quote = argument.find(' ') == std::string_view::npos ? "" : "'";
+    setting.command += fmt::format(" {0}{1}{0}", quote, argument);
+  }
   return setting;
 }
 
