@@ -14,9 +14,19 @@ struct Variant {
   bool discretize = false;
 };
 
-octomap::point3d to_octomap(const Vector3d& vector) {
-  const Vector3f rounded = vector.cast<float>();
-  return {rounded.x(), rounded.y(), rounded.z()};
+// Cells of the leaves for which wanted(leaf) holds; those pruned to one leaf counted singly.
+template <class Wanted>
+std::size_t count_cells(const octomap::OcTree& tree, const Wanted& wanted) {
+  std::size_t count = 0;
+  for (auto leaf = tree.begin_leafs(); leaf != tree.end_leafs(); ++leaf) {
+    if (wanted(*leaf)) count += std::size_t{1} << (3 * (tree.getTreeDepth() - leaf.getDepth()));
+  }
+  return count;
+}
+
+std::size_t count_occupied(const octomap::OcTree& tree) {
+  return count_cells(tree,
+                     [&](const octomap::OcTreeNode& node) { return tree.isNodeOccupied(node); });
 }
 
 class OctomapMapper : public Mapper, private MapAnswers {
@@ -25,12 +35,8 @@ class OctomapMapper : public Mapper, private MapAnswers {
 
   void take(std::span<const Scan> scans) override {
     for (const Scan& scan : scans) {
-      clouds_.emplace_back();
-      clouds_.back().origin = to_octomap(scan.map_from_sensor.translation());
-      clouds_.back().points.reserve(scan.points.size());
-      for (const Vector3f& point : scan.points) {
-        clouds_.back().points.push_back(point.x(), point.y(), point.z());
-      }
+      clouds_.push_back(
+          {test::octomap_cloud(scan), test::octomap_point(scan.map_from_sensor.translation())});
     }
   }
   void insert() override {
@@ -44,11 +50,7 @@ class OctomapMapper : public Mapper, private MapAnswers {
   }
 
   std::size_t cell_count() const override {
-    std::size_t count = 0;
-    for (auto leaf = tree_.begin_leafs(); leaf != tree_.end_leafs(); ++leaf) {
-      count += cells_of(leaf);
-    }
-    return count;
+    return count_cells(tree_, [](const octomap::OcTreeNode&) { return true; });
   }
   std::vector<Cell> occupied() const override {
     octomap::OcTree expanded(tree_);
@@ -63,30 +65,20 @@ class OctomapMapper : public Mapper, private MapAnswers {
     octomap::point3d origin;
   };
 
-  template <class Leaf>
-  std::size_t cells_of(const Leaf& leaf) const {
-    return std::size_t{1} << (3 * (tree_.getTreeDepth() - leaf.getDepth()));
-  }
-  std::size_t iterate() const override {
-    std::size_t count = 0;
-    for (auto leaf = tree_.begin_leafs(); leaf != tree_.end_leafs(); ++leaf) {
-      if (tree_.isNodeOccupied(*leaf)) count += cells_of(leaf);
-    }
-    return count;
-  }
+  std::size_t iterate() const override { return count_occupied(tree_); }
   bool is_occupied(const Vector3d& point) const override {
-    const octomap::OcTreeNode* node = tree_.search(to_octomap(point));
+    const octomap::OcTreeNode* node = tree_.search(test::octomap_point(point));
     return node != nullptr && tree_.isNodeOccupied(node);
   }
   std::optional<Cell> first_occupied(const Ray& ray) const override {
     octomap::point3d end;
-    if (!tree_.castRay(to_octomap(ray.origin), to_octomap(ray.direction), end, true,
-                       ray.max_range)) {
+    if (!tree_.castRay(test::octomap_point(ray.origin), test::octomap_point(ray.direction), end,
+                       true, ray.max_range)) {
       return std::nullopt;
     }
     octomap::OcTreeKey key;
     if (!tree_.coordToKeyChecked(end, key)) return std::nullopt;
-    return Cell(key[0] - 32768, key[1] - 32768, key[2] - 32768);
+    return test::cell_of(key);
   }
   void save(const std::filesystem::path& file) const override { tree_.write(file.string()); }
   std::size_t load(const std::filesystem::path& file) const override {
@@ -96,12 +88,7 @@ class OctomapMapper : public Mapper, private MapAnswers {
         octomap::AbstractOcTree::read(file.string()));
     std::cerr.rdbuf(told);
     std::cerr.clear();
-    const auto& tree = dynamic_cast<const octomap::OcTree&>(*read);
-    std::size_t count = 0;
-    for (auto leaf = tree.begin_leafs(); leaf != tree.end_leafs(); ++leaf) {
-      if (tree.isNodeOccupied(*leaf)) count += cells_of(leaf);
-    }
-    return count;
+    return count_occupied(dynamic_cast<const octomap::OcTree&>(*read));
   }
   std::string extension() const override { return ".ot"; }
 

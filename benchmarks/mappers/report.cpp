@@ -22,7 +22,7 @@ std::string processor() {
   return "unknown processor";
 }
 
-nlohmann::json to_json(const Figures& figures, std::size_t cells_of) {
+nlohmann::json to_json(const Figures& figures) {
   nlohmann::json json{
       {"mapper", figures.mapper},
       {"repetitions", figures.repetitions},
@@ -33,7 +33,7 @@ nlohmann::json to_json(const Figures& figures, std::size_t cells_of) {
       {"occupied", figures.occupied},
       {"bytes", figures.bytes},
       {"peak_bytes", figures.peak_bytes},
-      {"bytes_per_cell", static_cast<double>(figures.bytes) / static_cast<double>(cells_of)}};
+      {"bytes_per_cell", static_cast<double>(figures.bytes) / static_cast<double>(figures.cells)}};
   if (figures.agreement) {
     json["agreement"] = {{"both", figures.agreement->both},
                          {"here_only", figures.agreement->here_only},
@@ -125,7 +125,7 @@ nlohmann::json to_json(const Results& results) {
                       {"growth", nlohmann::json::array()}};
   for (const Case& each : results.cases) {
     nlohmann::json figures = nlohmann::json::array();
-    for (const Figures& of : each.figures) figures.push_back(to_json(of, of.cells));
+    for (const Figures& of : each.figures) figures.push_back(to_json(of));
     json["cases"].push_back({{"sequence", each.sequence},
                              {"scans", each.scans},
                              {"beams", each.beams},

@@ -4,7 +4,6 @@
 #include "support/scans.hpp"
 
 #include <algorithm>
-#include <numbers>
 
 #include <fmt/format.h>
 

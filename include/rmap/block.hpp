@@ -122,12 +122,14 @@ inline BlockPosition block_position(const Cell& cell) {
   };
   return spread(cell.x()) | (spread(cell.y()) << 1) | (spread(cell.z()) << 2);
 }
-/// Offset of a position from the block's lowest cell: 0 to 7 on each axis.
+/// Offset of a position from the block's lowest cell on one axis: 0 to 7.
+constexpr std::int32_t block_offset(BlockPosition position, std::uint32_t axis) {
+  const BlockPosition bits = position >> axis;
+  return static_cast<std::int32_t>((bits & 1) | ((bits >> 2) & 2) | ((bits >> 4) & 4));
+}
+/// The same on all axes.
 inline Cell block_offset(BlockPosition position) {
-  const auto gathered = [](BlockPosition bits) {
-    return static_cast<std::int32_t>((bits & 1) | ((bits >> 2) & 2) | ((bits >> 4) & 4));
-  };
-  return {gathered(position), gathered(position >> 1), gathered(position >> 2)};
+  return {block_offset(position, 0), block_offset(position, 1), block_offset(position, 2)};
 }
 /// Lowest cell of the block that holds `cell`.
 inline Cell block_origin(const Cell& cell) {
@@ -142,9 +144,8 @@ inline CellMask cells_between(const Cell& low, const Cell& high) {
     std::array<std::array<CellMask, kBlockEdge + 1>, 3> below{};
     for (std::uint32_t axis = 0; axis < 3; ++axis) {
       for (BlockPosition position = 0; position < kBlockCells; ++position) {
-        const BlockPosition bits = position >> axis;
-        const std::uint32_t offset = (bits & 1) | ((bits >> 2) & 2) | ((bits >> 4) & 4);
-        for (std::uint32_t i = offset + 1; i <= kBlockEdge; ++i) below[axis][i].set(position);
+        const auto offset = static_cast<std::size_t>(block_offset(position, axis));
+        for (std::size_t i = offset + 1; i <= kBlockEdge; ++i) below[axis][i].set(position);
       }
     }
     return below;

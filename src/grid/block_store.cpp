@@ -16,10 +16,6 @@ Leaf BlockStore::leaf(LeafId id, const Cell& origin) const {
   return {.origin = origin, .edge = kBlockEdge, .content = run(id)};
 }
 
-const Value* BlockStore::value_at(LeafId id, BlockPosition position) const {
-  return packed_block::find(run(id), position);
-}
-
 LeafStore::Content BlockStore::content(LeafId id) {
   Value* const packed = run(id);
   return {.cells = packed_block::cells(packed), .values = packed_block::values(packed)};

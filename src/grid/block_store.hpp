@@ -13,7 +13,6 @@ class BlockStore final : public LeafStore {
   std::unique_ptr<LeafStore> clone() const override;
 
   Leaf leaf(LeafId id, const Cell& origin) const override;
-  const Value* value_at(LeafId id, BlockPosition position) const override;
   Content content(LeafId id) override;
   LeafId id_limit() const override { return static_cast<LeafId>(blocks_.slots()); }
   BytesInUse bytes_in_use() const override;

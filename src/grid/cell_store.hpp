@@ -14,9 +14,6 @@ class CellStore final : public LeafStore {
   std::unique_ptr<LeafStore> clone() const override;
 
   Leaf leaf(LeafId id, const Cell& origin) const override;
-  const Value* value_at(LeafId id, BlockPosition /*position*/) const override {
-    return &entries_.record(id)->value;
-  }
   Content content(LeafId id) override;
   LeafId id_limit() const override { return static_cast<LeafId>(entries_.slots()); }
   BytesInUse bytes_in_use() const override;

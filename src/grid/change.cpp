@@ -128,8 +128,11 @@ void Grid::set(const Cell& cell, double probability) {
 
 void Grid::set_value(const Cell& cell, Value value) {
   if (!within_limits(cell)) refuse_beyond_limits("cell", cell);
-  const BlockValues block{block_origin(cell), CellMask::single(block_position(cell)), {&value, 1}};
-  set_blocks({&block, 1});
+  Implementation& grid = *implementation_;
+  grid.begin_mutation();
+  const Implementation::LeafValues leaf{grid.store->origin_of(cell),
+                                        CellMask::single(grid.store->position_of(cell)), &value};
+  grid.write({&leaf, 1});
 }
 
 void Grid::set_blocks(std::span<const BlockValues> blocks) {
@@ -140,15 +143,14 @@ void Grid::set_blocks(std::span<const BlockValues> blocks) {
   constexpr std::size_t kMostLeaves = std::size_t{1} << 17;
   std::vector<Implementation::LeafValues> leaves;
   for (const BlockValues& block : blocks) {
+    if (block.cells.none()) continue;
     if (leaves.size() + kBlockCells > kMostLeaves) grid.write(std::exchange(leaves, {}));
-    if (grid.store->edge() == kBlockEdge) {
-      if (!block.cells.none()) leaves.push_back({block.origin, block.cells, block.values.data()});
-      continue;
-    }
     const Value* value = block.values.data();
-    block.cells.for_each([&](BlockPosition position) {
-      leaves.push_back({block.origin + block_offset(position), CellMask::single(0), value++});
-    });
+    grid.store->for_each_leaf_of(block.origin, block.cells,
+                                 [&](const Cell& origin, const CellMask& cells) {
+                                   leaves.push_back({origin, cells, value});
+                                   value += cells.count();
+                                 });
   }
   grid.write(leaves);
 }

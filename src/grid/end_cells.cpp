@@ -24,7 +24,7 @@ std::size_t tiles_of(const BeamGroup& group) {
 }
 
 std::size_t ranges_of(const BeamGroup& group, int threads) {
-  return std::max<std::size_t>(1, range_count(threads, tiles_of(group), kLeastTiles));
+  return range_count(threads, tiles_of(group), kLeastTiles);
 }
 
 // work(range, begin, end) over the places of a group, ranges starting with whole tiles.

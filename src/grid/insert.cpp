@@ -8,24 +8,6 @@
 
 namespace rmap {
 
-namespace {
-
-// use(origin, cells) for the leaves, in the layout of a store, that hold marked cells.
-template <class Use>
-void for_each_leaf(const BlockMarks& cells, const LeafStore& store, Use&& use) {
-  for (const BlockMarks::Block& block : cells.blocks()) {
-    if (store.edge() == kBlockEdge) {
-      use(block.origin, block.cells);
-      continue;
-    }
-    block.cells.for_each([&](BlockPosition position) {
-      use(Cell(block.origin + block_offset(position)), CellMask::single(0));
-    });
-  }
-}
-
-}  // namespace
-
 Grid::Implementation::Ensured Grid::Implementation::ensure(const BlockMarks& cells) {
   Ensured ensured;
   std::vector<MarkedLeaf> missing;
@@ -38,13 +20,16 @@ Grid::Implementation::Ensured Grid::Implementation::ensure(const BlockMarks& cel
     store->set_stamp(leaf.id, log.stamp());
     count_new_cells(new_cells);
   };
-  for_each_leaf(cells, *store, [&](const Cell& origin, const CellMask& marks) {
+  const auto sort_out = [&](const Cell& origin, const CellMask& marks) {
     if (const auto id = store->find(origin)) {
       note({*id, origin, marks}, store->add_missing(*id, marks, rule.prior()).count());
     } else {
       missing.push_back({0, origin, marks});
     }
-  });
+  };
+  for (const BlockMarks::Block& block : cells.blocks()) {
+    store->for_each_leaf_of(block.origin, block.cells, sort_out);
+  }
   // In Morton order the R-tree grows alike whatever the order of the points.
   std::sort(missing.begin(), missing.end(), [](const MarkedLeaf& a, const MarkedLeaf& b) {
     return morton_less(a.origin, b.origin);

@@ -25,7 +25,7 @@ const Value* LeafStore::find_value(const Cell& cell) const {
   const Cell origin = origin_of(cell);
   const auto id = find(origin);
   if (!id) return nullptr;
-  return value_at(*id, position_of(cell));
+  return leaf(*id, origin).find(cell);
 }
 
 bool LeafStore::visit(const CellBox& region, FunctionRef<bool(LeafId, const Leaf&)> visit) const {

@@ -39,6 +39,14 @@ class LeafStore {
   BlockPosition position_of(const Cell& cell) const {
     return edge() == 1 ? 0 : block_position(cell);
   }
+  /// use(origin, cells) for the leaves that cells of the block at `block` belong to.
+  template <class Use>
+  void for_each_leaf_of(const Cell& block, const CellMask& cells, Use&& use) const {
+    if (edge() == kBlockEdge) return use(block, cells);
+    cells.for_each([&](BlockPosition position) {
+      use(Cell(block + block_offset(position)), CellMask::single(0));
+    });
+  }
 
   // --- Reading ---------------------------------------------------------------
 
@@ -46,8 +54,6 @@ class LeafStore {
   /// Value of a cell, null where it does not exist.
   const Value* find_value(const Cell& cell) const;
   virtual Leaf leaf(LeafId id, const Cell& origin) const = 0;
-  /// Value of a cell of a leaf, null where it does not exist.
-  virtual const Value* value_at(LeafId id, BlockPosition position) const = 0;
 
   /// Visits return false when `visit` did.
   bool visit(const CellBox& region, FunctionRef<bool(LeafId, const Leaf&)> visit) const;

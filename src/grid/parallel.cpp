@@ -53,18 +53,19 @@ int thread_count(int threads) {
 
 std::size_t range_count(int threads, std::size_t count, std::size_t least) {
   const auto most = static_cast<std::size_t>(thread_count(threads));
-  return std::min({most, count, std::max<std::size_t>(count / least, 1)});
+  return std::min(most, std::max<std::size_t>(count / least, 1));
 }
 
 void for_each_range(int threads, std::size_t count, std::size_t least,
                     FunctionRef<void(std::size_t, std::size_t, std::size_t)> work) {
+  if (count == 0) return;
   const std::size_t ranges = range_count(threads, count, least);
   const auto border = [&](std::size_t range) {
     return count / ranges * range + std::min(range, count % ranges);
   };
   if (ranges == 1) {
     work(0, 0, count);
-  } else if (ranges > 1) {
+  } else {
     run_tasks(ranges, [&](std::size_t range) { work(range, border(range), border(range + 1)); });
   }
 }

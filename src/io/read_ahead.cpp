@@ -19,8 +19,9 @@ class ReadAhead final : public ScanSource {
       : source_(std::move(source)), size_(source_->size()) {}
 
   bool next(Scan& scan) override {
-    if (!reader_.joinable())
+    if (!reader_.joinable()) {
       reader_ = std::jthread([this](const std::stop_token& stop) { read(stop); });
+    }
     std::unique_lock lock(mutex_);
     changed_.wait(lock, [&] { return !results_.empty(); });
     if (results_.front().at_end) return false;

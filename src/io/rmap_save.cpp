@@ -57,11 +57,8 @@ void write_blocks(RmapWriter& writer, std::span<const Leaf> leaves) {
     if (encoder.blocks() == wire::kMaxBlocksPerChunk) flush();
     encoder.add_block(origin);
     for (const Leaf& leaf : its_leaves) {
-      CellMask cells = leaf.cells();
-      if (leaf.edge == 1) {
-        cells = {};
-        cells.set(block_position(leaf.origin));
-      }
+      const CellMask cells =
+          leaf.edge == 1 ? CellMask::single(block_position(leaf.origin)) : leaf.cells();
       encoder.add_cells(cells, {leaf.values(), cells.count()});
     }
   });

@@ -119,15 +119,11 @@ void for_each_cell(const Grid& grid, const CellSelection& selection,
   grid.visit_leaves(selector.region(), [&](const Leaf& leaf) {
     if (!selector.wants(leaf)) return true;
     bool go_on = true;
-    if (selector.wants_all_places(leaf)) {
-      leaf.for_each([&](const Cell& cell, Value value) {
-        if (go_on && selector.wants(value)) go_on = use(cell, value);
-      });
-    } else {
-      leaf.for_each([&](const Cell& cell, Value value) {
-        if (go_on && selector.wants(cell, value)) go_on = use(cell, value);
-      });
-    }
+    const bool anywhere = selector.wants_all_places(leaf);
+    leaf.for_each([&](const Cell& cell, Value value) {
+      const bool wanted = anywhere ? selector.wants(value) : selector.wants(cell, value);
+      if (go_on && wanted) go_on = use(cell, value);
+    });
     return go_on;
   });
 }

@@ -100,11 +100,7 @@ TEST_P(ChangeInLayout, SetBlocksWritesValuesAsTheyAre) {
   }
   EXPECT_EQ(content(grid), plain);
   EXPECT_EQ(grid.check().value_or(""), "");
-  const CellMask one = [] {
-    CellMask mask;
-    mask.set(9);
-    return mask;
-  }();
+  const CellMask one = CellMask::single(9);
   const std::vector<Value> value = {5};
   EXPECT_THROW(set_block(grid, {1, 0, 0}, one, value), Error);
   EXPECT_THROW(set_block(grid, {0, 0, 0}, one, {}), Error);

@@ -22,12 +22,26 @@ inline Scan in_map_frame(const Scan& scan) {
   return moved;
 }
 
-inline void insert_into(octomap::OcTree& tree, const Scan& scan) {
+/// A point, or a direction, as OctoMap has it.
+inline octomap::point3d octomap_point(const Vector3d& vector) {
+  const Vector3f rounded = vector.cast<float>();
+  return {rounded.x(), rounded.y(), rounded.z()};
+}
+
+inline octomap::Pointcloud octomap_cloud(const Scan& scan) {
   octomap::Pointcloud cloud;
   cloud.reserve(scan.points.size());
   for (const Vector3f& point : scan.points) cloud.push_back(point.x(), point.y(), point.z());
-  const Vector3f origin = Vector3d(scan.map_from_sensor.translation()).cast<float>();
-  tree.insertPointCloud(cloud, octomap::point3d(origin.x(), origin.y(), origin.z()));
+  return cloud;
+}
+
+inline void insert_into(octomap::OcTree& tree, const Scan& scan) {
+  tree.insertPointCloud(octomap_cloud(scan), octomap_point(scan.map_from_sensor.translation()));
+}
+
+/// The cell that a key of OctoMap names.
+inline Cell cell_of(const octomap::OcTreeKey& key) {
+  return {key[0] - 32768, key[1] - 32768, key[2] - 32768};
 }
 
 /// The occupied cells of an OctoMap, pruned leaves taken apart.
@@ -36,8 +50,7 @@ inline std::set<Cell, MortonOrder> occupied_cells(octomap::OcTree& tree) {
   std::set<Cell, MortonOrder> cells;
   for (auto leaf = tree.begin_leafs(); leaf != tree.end_leafs(); ++leaf) {
     if (!tree.isNodeOccupied(*leaf)) continue;
-    const octomap::OcTreeKey key = leaf.getKey();
-    cells.insert(Cell(key[0] - 32768, key[1] - 32768, key[2] - 32768));
+    cells.insert(cell_of(leaf.getKey()));
   }
   return cells;
 }

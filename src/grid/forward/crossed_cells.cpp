@@ -2,8 +2,6 @@
 
 #include "grid/parallel.hpp"
 
-#include <algorithm>
-
 namespace rmap {
 
 namespace {
@@ -28,8 +26,7 @@ void mark_crossed(const LeafStore& store, const Beam& beam, const LeafMarks& hit
 
 LeafMarks crossed_cells(const LeafStore& store, const ScanBeams& beams,
                         std::span<const std::uint32_t> numbers, const LeafMarks& hit, int threads) {
-  const std::size_t ranges = std::max<std::size_t>(1, range_count(threads, numbers.size()));
-  std::vector<LeafMarks> found(ranges, LeafMarks(store.id_limit()));
+  std::vector<LeafMarks> found(range_count(threads, numbers.size()), LeafMarks(store.id_limit()));
   for_each_range(threads, numbers.size(),
                  [&](std::size_t range, std::size_t begin, std::size_t end) {
                    for (const std::uint32_t number : numbers.subspan(begin, end - begin)) {
@@ -37,7 +34,7 @@ LeafMarks crossed_cells(const LeafStore& store, const ScanBeams& beams,
                        mark_crossed(store, *beam, hit, found[range]);
                    }
                  });
-  for (std::size_t range = 1; range < ranges; ++range) found[0].add(found[range]);
+  for (std::size_t range = 1; range < found.size(); ++range) found[0].add(found[range]);
   return std::move(found[0]);
 }
 

@@ -109,7 +109,7 @@ std::vector<MarkedLeaf> cast(const LeafStore& store, const ScanBeams& beams, con
   };
   const Cell origin_cell = index.beams().origin_cell;
   std::vector<std::vector<MarkedLeaf>> found(
-      std::max<std::size_t>(1, range_count(threads, candidates.blocks.size(), kLeastBlocks)));
+      range_count(threads, candidates.blocks.size(), kLeastBlocks));
   for_each_range(
       threads, candidates.blocks.size(), kLeastBlocks,
       [&](std::size_t range, std::size_t begin, std::size_t end) {
