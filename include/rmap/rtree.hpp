@@ -191,6 +191,17 @@ class RTree {
   bool descend(Enter&& enter, Visit&& visit) const {
     return tree_.descend(enter, visitor(tree_, visit));
   }
+  /// Parts in which a descent may be made, beside one another: of a level that has at least
+  /// `least` nodes to be entered, or the lowest. In order they give what a whole descent does.
+  using Subtree = BoxTree::Subtree;
+  template <class Enter>
+  std::vector<Subtree> subtrees(std::size_t least, Enter&& enter) const {
+    return tree_.subtrees(least, enter);
+  }
+  template <class Enter, class Visit>
+  bool descend(const Subtree& below, Enter&& enter, Visit&& visit) const {
+    return tree_.descend(below, enter, visitor(tree_, visit));
+  }
 
   /// The item nearest to `point` (cell units), by the distance to its closed box; nothing when
   /// the tree is empty. Throws Error(limit) when the point is not finite or beyond the limits.

@@ -2,6 +2,7 @@
 
 #include "grid/cell_places.hpp"
 
+#include <optional>
 #include <vector>
 
 #include <rmap/leaf.hpp>
@@ -10,29 +11,48 @@ namespace rmap {
 
 /// A set of cells, gathered by blocks of 8 x 8 x 8: the end cells of a scan.
 class BlockMarks {
+  auto origin_at() const {
+    return [this](std::uint32_t place) -> const Cell& { return blocks_[place].origin; };
+  }
+
  public:
   struct Block {
     Cell origin;
     CellMask cells;
   };
 
-  void add(const Cell& cell) { at(block_origin(cell)).set(block_position(cell)); }
+  /// Hash of a block's lowest cell.
+  static std::uint32_t hash_of(const Cell& origin) { return CellPlaces::hash_of(origin); }
+
+  void add(const Cell& cell) {
+    const Cell origin = block_origin(cell);
+    add(origin, hash_of(origin), block_position(cell));
+  }
+  void add(const Cell& origin, std::uint32_t hash, BlockPosition position) {
+    at(origin, hash).set(position);
+  }
   void add(const BlockMarks& other) {
-    for (const Block& block : other.blocks_) at(block.origin) |= block.cells;
+    for (const Block& block : other.blocks_) {
+      at(block.origin, hash_of(block.origin)) |= block.cells;
+    }
   }
 
-  /// Place in blocks() of a block that has marks.
-  std::size_t place_of(const Cell& origin) const { return places_.at(number_of(origin)); }
+  /// Place in blocks() of a block, if it has marks.
+  std::optional<std::uint32_t> find(const Cell& origin) const {
+    return places_.find(origin, origin_at());
+  }
   /// The blocks with marks, in the order in which they got the first.
   const std::vector<Block>& blocks() const { return blocks_; }
+  /// Number of cells.
+  std::uint64_t count() const {
+    std::uint64_t count = 0;
+    for (const Block& block : blocks_) count += block.cells.count();
+    return count;
+  }
 
  private:
-  // Blocks counted, so that the low bits tell them apart.
-  static Cell number_of(const Cell& origin) {
-    return origin.unaryExpr([](std::int32_t index) { return index / kBlockEdge; });
-  }
-  CellMask& at(const Cell& origin) {
-    const std::uint32_t place = places_.add(number_of(origin));
+  CellMask& at(const Cell& origin, std::uint32_t hash) {
+    const std::uint32_t place = places_.add(origin, hash, origin_at());
     if (place == blocks_.size()) blocks_.push_back({origin, {}});
     return blocks_[place].cells;
   }

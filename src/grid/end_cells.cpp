@@ -1,5 +1,6 @@
 #include "grid/end_cells.hpp"
 
+#include "grid/block_kernel.hpp"
 #include "grid/nearest_ends.hpp"
 #include "grid/parallel.hpp"
 
@@ -25,6 +26,14 @@ std::size_t tiles_of(const BeamGroup& group) {
 
 std::size_t ranges_of(const BeamGroup& group, int threads) {
   return range_count(threads, tiles_of(group), kLeastTiles);
+}
+
+void add_ends(const PointTile& tile, BlockMarks& cells) {
+  EndBlocks blocks;
+  find_end_blocks(tile, blocks);
+  tile.ends.for_each([&](std::size_t i) {
+    cells.add(block_origin(tile.cell_of(i)), blocks.hash[i], blocks.position[i]);
+  });
 }
 
 // work(range, begin, end) over the places of a group, ranges starting with whole tiles.
@@ -54,7 +63,7 @@ EndCells gather_end_cells(const ScanBeams& beams, std::span<const BeamGroup> gro
       Share& share = shares[range];
       TileLoader loader(beams, group.origin);
       for_each_tile(group, begin, end, loader, [&](const PointTile& tile, std::size_t place) {
-        tile.ends.for_each([&](std::size_t i) { share.ends.cells.add(tile.cell_of(i)); });
+        add_ends(tile, share.ends.cells);
         share.ends.inserted += tile.ends.count();
         if (index != nullptr) index->add(tile, place, range);
         if (!chooses) return;
@@ -84,7 +93,7 @@ EndCells gather_end_cells(const ScanBeams& beams, std::span<const BeamGroup> gro
 }
 
 BeamIndex index_for(const ScanBeams& beams, const BeamGroup& group) {
-  return BeamIndex(beams.lattice().to_cells(group.origin), group.size,
+  return BeamIndex(beams.lattice().to_cells(group.origin), group.numbers, group.size,
                    ranges_of(group, beams.options().threads));
 }
 

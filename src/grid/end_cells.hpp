@@ -18,7 +18,8 @@ struct EndCells {
   std::vector<std::uint32_t> chosen;
 };
 
-/// An empty index that gather_end_cells or index_beams can fill with the beams of a group.
+/// An empty index that gather_end_cells or index_beams can fill with the beams of a group,
+/// which must outlive it.
 BeamIndex index_for(const ScanBeams& beams, const BeamGroup& group);
 
 /// Sorts out all points of a scan. `index`, when given, takes the beams of the one group.

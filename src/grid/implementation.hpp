@@ -1,10 +1,13 @@
 #pragma once
 
+#include "grid/beam_groups.hpp"
 #include "grid/block_marks.hpp"
 #include "grid/change_log.hpp"
+#include "grid/inverse/beam_index.hpp"
 #include "grid/leaf_marks.hpp"
 #include "grid/leaf_store.hpp"
 #include "grid/parallel.hpp"
+#include "grid/scan_beams.hpp"
 
 #include <numeric>
 
@@ -35,10 +38,23 @@ class Grid::Implementation {
   /// Makes cells exist, new ones with the prior, and returns the leaves that hold them.
   struct Ensured {
     std::vector<MarkedLeaf> leaves;
-    std::uint64_t cells = 0;
     std::uint64_t new_cells = 0;
   };
   Ensured ensure(const BlockMarks& cells);
+  /// Makes leaves that do not exist, in an order of its own, and sets their ids.
+  void enter_missing(std::vector<MarkedLeaf>& leaves, Value value);
+
+  /// What the beams of a scan did.
+  struct Updates {
+    std::uint64_t new_cells = 0;
+    std::uint64_t hits = 0;
+    std::uint64_t misses = 0;
+  };
+  /// Inserts a scan whose beams are all in `index`, sorted, in one descent of the R-tree.
+  Updates insert_inversely(const ScanBeams& beams, const BeamIndex& index, const BlockMarks& ends);
+  /// Inserts any scan: makes its end cells, hits them, then finds and clears what it missed.
+  Updates insert_by_marks(const ScanBeams& beams, std::span<const BeamGroup> groups,
+                          const BlockMarks& ends);
   /// Replaces the value of each marked cell by change(value), with the threads of the options;
   /// returns how many values changed.
   template <class Change>

@@ -14,7 +14,6 @@ Grid::Implementation::Ensured Grid::Implementation::ensure(const BlockMarks& cel
   ensured.leaves.reserve(cells.blocks().size());
   const auto note = [&](const MarkedLeaf& leaf, std::uint32_t new_cells) {
     ensured.leaves.push_back(leaf);
-    ensured.cells += leaf.cells.count();
     if (new_cells == 0) return;
     ensured.new_cells += new_cells;
     store->set_stamp(leaf.id, log.stamp());
@@ -30,13 +29,27 @@ Grid::Implementation::Ensured Grid::Implementation::ensure(const BlockMarks& cel
   for (const BlockMarks::Block& block : cells.blocks()) {
     store->for_each_leaf_of(block.origin, block.cells, sort_out);
   }
-  // In Morton order the R-tree grows alike whatever the order of the points.
-  std::sort(missing.begin(), missing.end(), [](const MarkedLeaf& a, const MarkedLeaf& b) {
-    return morton_less(a.origin, b.origin);
-  });
-  store->add_leaves(missing, rule.prior());
+  enter_missing(missing, rule.prior());
   for (const MarkedLeaf& leaf : missing) note(leaf, leaf.cells.count());
   return ensured;
+}
+
+void Grid::Implementation::enter_missing(std::vector<MarkedLeaf>& leaves, Value value) {
+  // In Morton order the R-tree grows alike whatever the order of the points.
+  std::sort(leaves.begin(), leaves.end(), [](const MarkedLeaf& a, const MarkedLeaf& b) {
+    return morton_less(a.origin, b.origin);
+  });
+  store->add_leaves(leaves, value);
+}
+
+Grid::Implementation::Updates Grid::Implementation::insert_by_marks(
+    const ScanBeams& beams, std::span<const BeamGroup> groups, const BlockMarks& ends) {
+  auto ensured = ensure(ends);
+  const LeafMarks hit(store->id_limit(), std::move(ensured.leaves));
+  const std::uint64_t hits = update_all(hit.marked(), [&](Value value) { return rule.hit(value); });
+  const std::uint64_t misses = update_all(missed_cells(*store, rule, beams, groups, hit),
+                                          [&](Value value) { return rule.miss(value); });
+  return {.new_cells = ensured.new_cells, .hits = hits, .misses = misses};
 }
 
 PrepareReport Grid::prepare(const Scan& scan) {
@@ -48,7 +61,7 @@ PrepareReport Grid::prepare(const Scan& scan) {
   const auto ensured = grid.ensure(ends.cells);
   return {.points = beams.size(),
           .skipped = ends.skipped,
-          .end_cells = ensured.cells,
+          .end_cells = ends.cells.count(),
           .new_cells = ensured.new_cells};
 }
 
@@ -57,32 +70,33 @@ InsertReport Grid::insert(const Scan& scan) {
   const ScanBeams beams(scan, grid.lattice, grid.options);
   std::vector<BeamGroup> groups = groups_by_origin(beams);
   const bool chooses = grid.options.beams == Beams::per_end_cell;
+  const auto casts = [&] {
+    return groups.size() == 1 && casts_inversely(groups.front(), grid.options);
+  };
   std::optional<BeamIndex> index;
-  if (groups.size() == 1 && !chooses && casts_inversely(groups.front(), grid.options)) {
-    index.emplace(index_for(beams, groups.front()));
-  }
+  if (!chooses && casts()) index.emplace(index_for(beams, groups.front()));
   const EndCells ends = gather_end_cells(beams, groups, index ? &*index : nullptr);
-  if (chooses) groups = groups_by_origin(beams, ends.chosen);
+  if (chooses) {
+    groups = groups_by_origin(beams, ends.chosen);
+    if (casts())
+      index_beams(beams, groups.front(), index.emplace(index_for(beams, groups.front())));
+  }
+  if (index) index->sort(grid.options.threads);
 
   grid.begin_mutation();
   // After preparation no cells are to come: whatever is done from here on gains.
   if (grid.scan_poses.empty()) grid.store->repack();
   grid.scan_poses.push_back(scan.map_from_sensor);
-  auto ensured = grid.ensure(ends.cells);
-  const LeafMarks hit(grid.store->id_limit(), std::move(ensured.leaves));
-  const std::uint64_t hits =
-      grid.update_all(hit.marked(), [&](Value value) { return grid.rule.hit(value); });
-  const MissedCells missed(*grid.store, grid.rule, beams, hit);
-  const std::uint64_t misses = grid.update_all(index ? missed.of(*index) : missed.of(groups),
-                                               [&](Value value) { return grid.rule.miss(value); });
+  const auto updates = index ? grid.insert_inversely(beams, *index, ends.cells)
+                             : grid.insert_by_marks(beams, groups, ends.cells);
   return {.points = beams.size(),
           .inserted = ends.inserted,
           .cut = ends.cut,
           .skipped = ends.skipped,
-          .end_cells = ensured.cells,
-          .new_cells = ensured.new_cells,
-          .hits = hits,
-          .misses = misses};
+          .end_cells = ends.cells.count(),
+          .new_cells = updates.new_cells,
+          .hits = updates.hits,
+          .misses = updates.misses};
 }
 
 }  // namespace rmap

@@ -39,10 +39,14 @@ bool LeafStore::visit_crossed(const Beam& beam,
       beam, [&](const CellBox& box, LeafId id) { return visit(id, leaf(id, box.min)); });
 }
 
-bool LeafStore::visit_where(FunctionRef<bool(const CellBox&)> enter,
-                            FunctionRef<bool(LeafId, const Leaf&)> visit) const {
-  return tree_.descend(enter,
-                       [&](const CellBox& box, LeafId id) { return visit(id, leaf(id, box.min)); });
+std::vector<LeafStore::Part> LeafStore::parts_where(std::size_t least,
+                                                    FunctionRef<bool(const CellBox&)> enter) const {
+  return tree_.subtrees(least, enter);
+}
+
+void LeafStore::visit_where(const Part& part, FunctionRef<bool(const CellBox&)> enter,
+                            FunctionRef<void(LeafId, const Leaf&)> visit) const {
+  tree_.descend(part, enter, [&](const CellBox& box, LeafId id) { visit(id, leaf(id, box.min)); });
 }
 
 void LeafStore::visit_along(const Beam& beam,

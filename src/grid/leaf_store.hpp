@@ -58,9 +58,13 @@ class LeafStore {
   /// Visits return false when `visit` did.
   bool visit(const CellBox& region, FunctionRef<bool(LeafId, const Leaf&)> visit) const;
   bool visit_crossed(const Beam& beam, FunctionRef<bool(LeafId, const Leaf&)> visit) const;
-  /// The leaves whose boxes, and all nodes around them, `enter` accepts.
-  bool visit_where(FunctionRef<bool(const CellBox&)> enter,
-                   FunctionRef<bool(LeafId, const Leaf&)> visit) const;
+  /// Parts of the R-tree, at least `least` where it is as wide, that together hold the leaves
+  /// whose boxes, and all nodes around them, `enter` accepts.
+  using Part = RTree<LeafId>::Subtree;
+  std::vector<Part> parts_where(std::size_t least, FunctionRef<bool(const CellBox&)> enter) const;
+  /// The leaves of a part whose boxes, and all nodes around them, `enter` accepts.
+  void visit_where(const Part& part, FunctionRef<bool(const CellBox&)> enter,
+                   FunctionRef<void(LeafId, const Leaf&)> visit) const;
   void visit_along(const Beam& beam, FunctionRef<double(const Leaf&, double enter)> visit) const;
 
   std::size_t leaf_count() const { return tree_.size(); }

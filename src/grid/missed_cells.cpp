@@ -31,36 +31,32 @@ bool casts_inversely(const BeamGroup& group, const Options& options) {
   return group.size >= kFewBeams;
 }
 
-MissedCells::MissedCells(const LeafStore& store, const UpdateRule& rule, const ScanBeams& beams,
-                         const LeafMarks& hit)
-    : store_(store), rule_(rule), beams_(beams), hit_(hit) {}
-
-std::vector<MarkedLeaf> MissedCells::of(std::span<const BeamGroup> groups) const {
-  std::vector<std::vector<MarkedLeaf>> parts;
+std::vector<MarkedLeaf> missed_cells(const LeafStore& store, const UpdateRule& rule,
+                                     const ScanBeams& beams, std::span<const BeamGroup> groups,
+                                     const LeafMarks& hit) {
+  const int threads = beams.options().threads;
+  LeafMarks missed(store.id_limit());
   std::vector<std::uint32_t> followed;
   for (const BeamGroup& group : groups) {
-    if (!casts_inversely(group, beams_.options())) {
+    if (!casts_inversely(group, beams.options())) {
       append_numbers(group, followed);
       continue;
     }
-    BeamIndex index = index_for(beams_, group);
-    index_beams(beams_, group, index);
-    parts.push_back(of(index));
+    BeamIndex index = index_for(beams, group);
+    index_beams(beams, group, index);
+    index.sort(threads);
+    const Cast cast(store, beams, index, rule, threads);
+    std::vector<std::vector<MarkedLeaf>> parts(cast.ranges());
+    cast.run([&](std::size_t, LeafId id, const Leaf&) { return hit.find(id); },
+             [&](std::size_t range, LeafId id, const Cell& origin, const CellMask& cells) {
+               parts[range].push_back({id, origin, cells});
+             });
+    for (const auto& part : parts) {
+      for (const MarkedLeaf& leaf : part) missed.at(leaf.id, leaf.origin) |= leaf.cells;
+    }
   }
-  if (!followed.empty()) {
-    parts.push_back(crossed_cells(store_, beams_, followed, hit_, threads()).marked());
-  }
-  if (parts.size() == 1) return std::move(parts.front());
-  LeafMarks all(store_.id_limit());
-  for (const auto& part : parts) {
-    for (const MarkedLeaf& leaf : part) all.at(leaf.id, leaf.origin) |= leaf.cells;
-  }
-  return std::move(all).marked();
-}
-
-std::vector<MarkedLeaf> MissedCells::of(BeamIndex& index) const {
-  index.sort(threads());
-  return cast(store_, beams_, index, hit_, rule_, threads());
+  if (!followed.empty()) missed.add(crossed_cells(store, beams, followed, hit, threads));
+  return std::move(missed).marked();
 }
 
 }  // namespace rmap

@@ -27,7 +27,9 @@ void NearestEnds::add(const NearestEnds& other) {
 }
 
 void NearestEnds::add(const Entry& entry) {
-  const std::uint32_t place = places_.add(entry.cell);
+  const std::uint32_t place =
+      places_.add(entry.cell, CellPlaces::hash_of(entry.cell),
+                  [this](std::uint32_t i) -> const Cell& { return entries_[i].cell; });
   if (place == entries_.size()) {
     entries_.push_back(entry);
   } else if (is_nearer(entry, entries_[place])) {

@@ -31,15 +31,16 @@ bool search(const BoxTree& tree, const Select& select, BoxTree::Visit visit) {
   return tree.height() == 0 || search(tree, tree.root(), tree.height() - 1, select, visit);
 }
 
-bool descend_from(const BoxTree& tree, std::uint32_t node, int level, BoxTree::Enter enter,
+bool descend_from(const BoxTree& tree, const BoxTree::Subtree& from, BoxTree::Enter enter,
                   BoxTree::Visit visit) {
+  const auto [node, level] = from;
   const NodePool& pool = tree.nodes(level);
   for (int branch = 0; branch < pool.count(node); ++branch) {
     const CellBox box = pool.box(node, branch);
     if (!enter(box)) continue;
     const bool more = level == 0
                           ? visit(box, {node, branch})
-                          : descend_from(tree, pool.child(node, branch), level - 1, enter, visit);
+                          : descend_from(tree, {pool.child(node, branch), level - 1}, enter, visit);
     if (!more) return false;
   }
   return true;
@@ -159,7 +160,27 @@ void BoxTree::crossed_until(const Beam& beam, VisitInOrder visit) const {
 }
 
 bool BoxTree::descend(Enter enter, Visit visit) const {
-  return height_ == 0 || descend_from(*this, root_, height_ - 1, enter, visit);
+  return height_ == 0 || descend_from(*this, {root_, height_ - 1}, enter, visit);
+}
+
+bool BoxTree::descend(const Subtree& below, Enter enter, Visit visit) const {
+  return descend_from(*this, below, enter, visit);
+}
+
+std::vector<BoxTree::Subtree> BoxTree::subtrees(std::size_t least, Enter enter) const {
+  std::vector<Subtree> found;
+  if (height_ > 0) found.push_back({root_, height_ - 1});
+  for (int level = height_ - 1; level > 0 && found.size() < least; --level) {
+    std::vector<Subtree> below;
+    for (const Subtree& subtree : found) {
+      for (int branch = 0; branch < inner_.count(subtree.node); ++branch) {
+        if (!enter(inner_.box(subtree.node, branch))) continue;
+        below.push_back({inner_.child(subtree.node, branch), level - 1});
+      }
+    }
+    found = std::move(below);
+  }
+  return found;
 }
 
 }  // namespace rmap

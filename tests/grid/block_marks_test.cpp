@@ -37,8 +37,9 @@ TEST(BlockMarks, HoldTheCellsThatWereAdded) {
     }
     marks.add(others);
     EXPECT_EQ(cells_of(marks), expected);
+    EXPECT_FALSE(marks.find(Cell::Constant(kMinCellIndex - 8)).has_value());
     for (std::size_t i = 0; i < marks.blocks().size(); ++i) {
-      ASSERT_EQ(marks.place_of(marks.blocks()[i].origin), i);
+      ASSERT_EQ(marks.find(marks.blocks()[i].origin), i);
     }
   }
 }

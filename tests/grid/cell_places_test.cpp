@@ -15,13 +15,21 @@ TEST(CellPlaces, CountInTheOrderInWhichCellsAreMet) {
   SCOPED_TRACE(random.trace());
   for (const int reach : {2, 30, kMaxCellIndex}) {
     CellPlaces places;
+    std::vector<Cell> cells;
+    const auto cell_of = [&](std::uint32_t place) -> const Cell& { return cells[place]; };
     std::map<Cell, std::uint32_t, test::MortonOrder> expected;
     for (int i = 0; i < 5000; ++i) {
       const Cell cell = random.cell(-reach, reach);
       const auto next = static_cast<std::uint32_t>(expected.size());
-      ASSERT_EQ(places.add(cell), expected.try_emplace(cell, next).first->second);
+      const std::uint32_t place = places.add(cell, CellPlaces::hash_of(cell), cell_of);
+      ASSERT_EQ(place, expected.try_emplace(cell, next).first->second);
+      if (place == cells.size()) cells.push_back(cell);
     }
-    for (const auto& [cell, place] : expected) ASSERT_EQ(places.at(cell), place);
+    for (const auto& [cell, place] : expected) ASSERT_EQ(places.find(cell, cell_of), place);
+    for (int i = 0; i < 5000; ++i) {
+      const Cell cell = random.cell(-reach, reach);
+      ASSERT_EQ(places.find(cell, cell_of).has_value(), expected.contains(cell));
+    }
   }
 }
 

@@ -32,6 +32,11 @@ class BoxTree {
     std::uint32_t leaf;
     int branch;
   };
+  /// A node and all that is below it, until the tree changes.
+  struct Subtree {
+    std::uint32_t node;
+    int level;
+  };
   /// Called with each item found; false stops the search.
   using Visit = FunctionRef<bool(const CellBox& box, Place place)>;
   /// Called with each item found and its parameter of entry; the limit from then on.
@@ -65,6 +70,8 @@ class BoxTree {
   bool containing(const Cell& cell, Visit visit) const;
   bool crossed_by(const Beam& beam, Visit visit) const;
   bool descend(Enter enter, Visit visit) const;
+  bool descend(const Subtree& below, Enter enter, Visit visit) const;
+  std::vector<Subtree> subtrees(std::size_t least, Enter enter) const;
   void crossed_in_order(const Beam& beam, VisitInOrder visit) const;
   void crossed_until(const Beam& beam, VisitInOrder visit) const;
   void nearest(const Vector3d& point, std::size_t k, VisitNearest visit) const;

@@ -17,7 +17,8 @@ constexpr std::uint32_t kNoBin = std::numeric_limits<std::uint32_t>::max();
 // Casting reads whole vectors.
 constexpr std::size_t kPadding = 64;
 
-int bin_bits_for(std::size_t beams) { return beams < 1000 ? 6 : 8; }
+// Finer bins mean fewer beams to test for each cell, but more bins to go over.
+int bin_bits_for(std::size_t beams) { return beams < 1000 ? 6 : beams < 300'000 ? 7 : 8; }
 
 std::size_t whole_tiles(std::size_t places) {
   return (places / PointTile::kSize + 1) * PointTile::kSize;
@@ -25,24 +26,25 @@ std::size_t whole_tiles(std::size_t places) {
 
 }  // namespace
 
-BeamIndex::BeamIndex(const Vector3d& origin, std::size_t capacity, std::size_t parts)
+BeamIndex::BeamIndex(const Vector3d& origin, std::span<const std::uint32_t> numbers,
+                     std::size_t capacity, std::size_t parts)
     : origin_(origin),
+      numbers_(numbers),
       bin_bits_(bin_bits_for(capacity)),
-      scratch_(8 * Scratch::bytes_for<std::uint32_t>(whole_tiles(capacity)) +
-               2 * Scratch::bytes_for<std::uint32_t>(capacity + kPadding) +
-               parts * (Scratch::bytes_for<std::uint32_t>(border(rows())) +
+      scratch_(4 * Scratch::bytes_for<std::uint32_t>(whole_tiles(capacity)) +
+               4 * Scratch::bytes_for<std::uint32_t>(capacity + kPadding) +
+               parts * (Scratch::bytes_for<std::int32_t>(border(rows() + 1)) +
                         Scratch::bytes_for<float>(rows() * bins()))),
       depth_(1 << bin_bits_) {
   const std::size_t places = whole_tiles(capacity);
   bin_ = scratch_.take<std::uint32_t>(places);
-  number_ = scratch_.take<std::uint32_t>(places);
   for (float*& column : inverse_) column = scratch_.take<float>(places);
   sorted_number_ = scratch_.take<std::uint32_t>(capacity + kPadding);
   for (float*& column : sorted_inverse_) column = scratch_.take<float>(capacity + kPadding);
   for (std::size_t i = 0; i < parts; ++i) {
     Part& part = parts_.emplace_back();
     part.row_used.assign(rows(), 0);
-    part.count = scratch_.take<std::uint32_t>(border(rows()));
+    part.count = scratch_.take<std::int32_t>(border(rows() + 1));
     part.depth = scratch_.take<float>(rows() * bins());
   }
 }
@@ -60,15 +62,11 @@ void BeamIndex::add(const PointTile& tile, std::size_t first, std::size_t part_n
   BinnedTile binned;
   bin_beams(tile, 1 << bin_bits_, binned,
             {inverse_[0] + first, inverse_[1] + first, inverse_[2] + first});
-  for (std::size_t i = 0; i < tile.count; ++i) {
-    number_[first + i] = tile.number(i);
-    if (!tile.beams.test(i)) {
-      bin_[first + i] = kNoBin;
-      continue;
-    }
+  std::copy_n(binned.bin.data(), tile.count, bin_ + first);
+  tile.beams.missing(tile.count).for_each([&](std::size_t i) { bin_[first + i] = kNoBin; });
+  tile.beams.for_each([&](std::size_t i) {
     const std::size_t bin = binned.bin[i];
     const std::size_t row = bin >> bin_bits_;
-    bin_[first + i] = binned.bin[i];
     if (part.row_used[row] == 0) {
       part.row_used[row] = 1;
       clear_row(part, row);
@@ -76,17 +74,21 @@ void BeamIndex::add(const PointTile& tile, std::size_t first, std::size_t part_n
     ++part.count[bin + row + 1];
     float& depth = part.depth[bin];
     depth = depth < binned.depth[i] ? binned.depth[i] : depth;
-  }
+  });
 }
 
 void BeamIndex::sort(int threads) {
   // Counts become places: those of a bin's beams, part by part.
-  row_used_.assign(rows(), 0);
   Part& whole = parts_.back();
-  std::uint32_t place = 0;
+  // Rows without beams share borders, behind the last row.
+  std::fill_n(whole.count + border(rows()), bins() + 1, 0);
+  row_borders_.assign(rows(), static_cast<std::int32_t>(border(rows())));
+  std::int32_t place = 0;
   for (std::size_t row = 0; row < rows(); ++row) {
-    for (const Part& part : parts_) row_used_[row] |= part.row_used[row];
-    if (row_used_[row] == 0) continue;
+    const bool is_used = std::any_of(parts_.begin(), parts_.end(),
+                                     [&](const Part& part) { return part.row_used[row] != 0; });
+    if (!is_used) continue;
+    row_borders_[row] = static_cast<std::int32_t>(border(row));
     for (Part& part : parts_) {
       if (part.row_used[row] == 0) clear_row(part, row);
     }
@@ -116,8 +118,8 @@ void BeamIndex::sort(int threads) {
       for (std::size_t i = part.first; i < part.last; ++i) {
         if (bin_[i] == kNoBin) continue;
         const std::size_t bin = bin_[i];
-        const std::uint32_t to = part.count[bin + (bin >> bin_bits_) + 1]++;
-        sorted_number_[to] = number_[i];
+        const auto to = static_cast<std::size_t>(part.count[bin + (bin >> bin_bits_) + 1]++);
+        sorted_number_[to] = numbers_.empty() ? static_cast<std::uint32_t>(i) : numbers_[i];
         for (std::size_t axis = 0; axis < 3; ++axis) {
           sorted_inverse_[axis][to] = inverse_[axis][i];
         }
@@ -132,7 +134,7 @@ void BeamIndex::sort(int threads) {
       .inverse = {sorted_inverse_[0], sorted_inverse_[1], sorted_inverse_[2]},
       .number = sorted_number_,
       .borders = whole.count,
-      .row_used = row_used_.data(),
+      .row_borders = row_borders_.data(),
   };
 }
 

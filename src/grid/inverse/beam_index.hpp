@@ -7,6 +7,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include <rmap/box.hpp>
@@ -24,10 +25,10 @@ struct IndexedBeams {
   std::array<const float*, 3> inverse;
   /// Number of each beam in its scan.
   const std::uint32_t* number;
-  /// Bin u of row r holds the beams borders[r * (bins + 1) + u] to borders[r * (bins + 1) + u + 1].
-  const std::uint32_t* borders;
-  /// Rows without beams have no borders.
-  const std::uint8_t* row_used;
+  /// Bin u of row r holds the beams from borders[row_borders[r] + u] to, with it excluded,
+  /// borders[row_borders[r] + u + 1].
+  const std::int32_t* borders;
+  const std::int32_t* row_borders;
 };
 
 /// The beams of a scan from one origin, sorted by direction, to find those that
@@ -38,8 +39,10 @@ class BeamIndex {
   static constexpr float kInfiniteInverse = 1e30F;
 
   /// For beams from `origin` (cell units) at up to `capacity` places, put in by
-  /// `parts` threads, at least 1.
-  BeamIndex(const Vector3d& origin, std::size_t capacity, std::size_t parts);
+  /// `parts` threads, at least 1. `numbers` has the number of each place's beam in the
+  /// scan, unless they are the same; it must outlive the index.
+  BeamIndex(const Vector3d& origin, std::span<const std::uint32_t> numbers, std::size_t capacity,
+            std::size_t parts);
 
   /// Takes the beams of a tile, for places `first` (a multiple of the tile's size)
   /// on. Different parts may be used beside one another; the places of a part must
@@ -63,8 +66,8 @@ class BeamIndex {
     std::size_t last = 0;
     bool has_cut_at_origin = false;
     std::vector<std::uint8_t> row_used;
-    std::uint32_t* count = nullptr;  ///< beams of bin u at border(row) + u + 1; later places
-    float* depth = nullptr;          ///< largest, by bin
+    std::int32_t* count = nullptr;  ///< beams of bin u at border(row) + u + 1; later places
+    float* depth = nullptr;         ///< largest, by bin
   };
 
   void clear_row(Part& part, std::size_t row) const;
@@ -73,6 +76,7 @@ class BeamIndex {
   std::size_t border(std::size_t row) const { return row * (bins() + 1); }
 
   Vector3d origin_;
+  std::span<const std::uint32_t> numbers_;
   int bin_bits_;  ///< binary logarithm of the bins along an edge of a face
   Scratch scratch_;
   std::vector<Part> parts_;
@@ -80,13 +84,12 @@ class BeamIndex {
 
   // As added, by place.
   std::uint32_t* bin_ = nullptr;
-  std::uint32_t* number_ = nullptr;
   std::array<float*, 3> inverse_{};
 
   // Sorted.
   std::uint32_t* sorted_number_ = nullptr;
   std::array<float*, 3> sorted_inverse_{};
-  std::vector<std::uint8_t> row_used_;
+  std::vector<std::int32_t> row_borders_;
   DepthPyramid depth_;
   IndexedBeams sorted_;
 };

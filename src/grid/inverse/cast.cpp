@@ -4,32 +4,15 @@
 #include "grid/inverse/cast_kernel.hpp"
 #include "grid/parallel.hpp"
 
-#include <algorithm>
+#include <span>
 
 namespace rmap {
 
 namespace {
 
-// Fewer are not worth another thread.
-constexpr std::size_t kLeastBlocks = 64;
-
-// The cells of a block that are to be asked, and the leaves that they belong to.
-struct Candidate {
-  Cell origin;  ///< of the block
-  CellMask asked;
-  std::size_t first_leaf;  ///< in Candidates::leaves
-  std::size_t leaves;
-};
-
-struct CandidateLeaf {
-  LeafId id;
-  BlockPosition position;  ///< of its lowest cell in the block
-};
-
-struct Candidates {
-  std::vector<Candidate> blocks;
-  std::vector<CandidateLeaf> leaves;
-};
+// Some parts take far longer than others.
+constexpr std::size_t kRangesPerThread = 8;
+constexpr std::size_t kPartsPerRange = 4;
 
 // The cells of a leaf that a crossing beam would change.
 CellMask open_cells(const Leaf& leaf, const CellMask* hits, const UpdateRule& rule) {
@@ -43,98 +26,97 @@ CellMask open_cells(const Leaf& leaf, const CellMask* hits, const UpdateRule& ru
   return open;
 }
 
-// Calls use(id, leaf, cells to ask) for the leaves in view.
-template <class Use>
-void for_each_in_view(const LeafStore& store, const BeamIndex& index, const LeafMarks& hit,
-                      const UpdateRule& rule, Use&& use) {
-  const Cell origin_cell = index.beams().origin_cell;
-  store.visit_where(
-      [&](const CellBox& box) {
-        return index.may_reach(box) || (index.has_cut_at_origin() && box.contains(origin_cell));
-      },
-      [&](LeafId id, const Leaf& leaf) {
-        const CellMask open = open_cells(leaf, hit.find(id), rule);
-        if (!open.none()) use(id, leaf, open);
-        return true;
-      });
-}
-
-Candidates blocks_in_view(const LeafStore& store, const BeamIndex& index, const LeafMarks& hit,
-                          const UpdateRule& rule) {
-  Candidates candidates;
-  for_each_in_view(store, index, hit, rule, [&](LeafId id, const Leaf& leaf, const CellMask& open) {
-    candidates.blocks.push_back({leaf.origin, open, candidates.leaves.size(), 1});
-    candidates.leaves.push_back({id, 0});
-  });
-  return candidates;
-}
-
-// Leaves of one cell are asked together with the others of their block.
-Candidates cells_in_view(const LeafStore& store, const BeamIndex& index, const LeafMarks& hit,
-                         const UpdateRule& rule) {
-  struct Found {
-    LeafId id;
-    Cell cell;
-  };
-  std::vector<Found> found;
-  BlockMarks asked;
-  for_each_in_view(store, index, hit, rule, [&](LeafId id, const Leaf& leaf, const CellMask&) {
-    found.push_back({id, leaf.origin});
-    asked.add(leaf.origin);
-  });
-
-  Candidates candidates;
-  std::size_t first = 0;
-  for (const BlockMarks::Block& block : asked.blocks()) {
-    candidates.blocks.push_back({block.origin, block.cells, first, 0});
-    first += block.cells.count();
-  }
-  candidates.leaves.resize(first);
-  for (const Found& leaf : found) {
-    Candidate& block = candidates.blocks[asked.place_of(block_origin(leaf.cell))];
-    candidates.leaves[block.first_leaf + block.leaves++] = {leaf.id, block_position(leaf.cell)};
-  }
-  return candidates;
+std::size_t ranges_for(int threads) {
+  const auto count = static_cast<std::size_t>(thread_count(threads));
+  return count == 1 ? 1 : kRangesPerThread * count;
 }
 
 }  // namespace
 
-std::vector<MarkedLeaf> cast(const LeafStore& store, const ScanBeams& beams, const BeamIndex& index,
-                             const LeafMarks& hit, const UpdateRule& rule, int threads) {
-  const bool has_blocks = store.edge() == kBlockEdge;
-  const Candidates candidates =
-      has_blocks ? blocks_in_view(store, index, hit, rule) : cells_in_view(store, index, hit, rule);
-  const auto exactly = [&](std::uint32_t number, const Cell& cell) {
-    return crosses(*beams.beam(number), cell);
-  };
-  const Cell origin_cell = index.beams().origin_cell;
-  std::vector<std::vector<MarkedLeaf>> found(
-      range_count(threads, candidates.blocks.size(), kLeastBlocks));
+Cast::Cast(const LeafStore& store, const ScanBeams& beams, const BeamIndex& index,
+           const UpdateRule& rule, int threads)
+    : store_(store),
+      beams_(beams),
+      index_(index),
+      rule_(rule),
+      threads_(threads),
+      ranges_(ranges_for(threads)) {
+  const auto enter = [this](const CellBox& box) { return may_enter(box); };
+  parts_ = store.parts_where(ranges_ == 1 ? 1 : kPartsPerRange * ranges_, enter);
+}
+
+void Cast::run(HitIn hit_in, Crossed crossed) const {
+  store_.edge() == kBlockEdge ? run_by_block(hit_in, crossed) : run_by_cell(hit_in, crossed);
+}
+
+bool Cast::may_enter(const CellBox& box) const {
+  return index_.may_reach(box) ||
+         (index_.has_cut_at_origin() && box.contains(index_.beams().origin_cell));
+}
+
+CellMask Cast::crossed_in(const Cell& block, const CellMask& asked) const {
+  const Cell& origin_cell = index_.beams().origin_cell;
+  CellMask crossed = crossed_in_block(
+      index_.beams(), block, asked,
+      [&](std::uint32_t number, const Cell& cell) { return crosses(*beams_.beam(number), cell); });
+  if (index_.has_cut_at_origin() && block_origin(origin_cell) == block) {
+    crossed |= CellMask::single(block_position(origin_cell)) & asked;
+  }
+  return crossed;
+}
+
+// use(range, id, leaf, cells that are to be asked) for the leaves that have some.
+template <class Use>
+void Cast::for_each_in_view(HitIn hit_in, const Use& use) const {
   for_each_range(
-      threads, candidates.blocks.size(), kLeastBlocks,
+      static_cast<int>(ranges_), parts_.size(),
       [&](std::size_t range, std::size_t begin, std::size_t end) {
-        std::vector<MarkedLeaf>& marked = found[range];
-        for (const Candidate& block : std::span(candidates.blocks).subspan(begin, end - begin)) {
-          CellMask crossed = crossed_in_block(index.beams(), block.origin, block.asked, exactly);
-          if (index.has_cut_at_origin() && block_origin(origin_cell) == block.origin) {
-            crossed |= CellMask::single(block_position(origin_cell)) & block.asked;
-          }
-          if (crossed.none()) continue;
-          for (const CandidateLeaf& leaf :
-               std::span(candidates.leaves).subspan(block.first_leaf, block.leaves)) {
-            if (has_blocks) {
-              marked.push_back({leaf.id, block.origin, crossed});
-            } else if (crossed.test(leaf.position)) {
-              marked.push_back(
-                  {leaf.id, block.origin + block_offset(leaf.position), CellMask::single(0)});
-            }
-          }
+        for (const LeafStore::Part& part : std::span(parts_).subspan(begin, end - begin)) {
+          store_.visit_where(
+              part, [&](const CellBox& box) { return may_enter(box); },
+              [&](LeafId id, const Leaf& leaf) {
+                const CellMask open = open_cells(leaf, hit_in(range, id, leaf), rule_);
+                if (!open.none()) use(range, id, leaf, open);
+              });
         }
       });
-  for (std::size_t range = 1; range < found.size(); ++range) {
-    found[0].insert(found[0].end(), found[range].begin(), found[range].end());
+}
+
+void Cast::run_by_block(HitIn hit_in, Crossed crossed) const {
+  for_each_in_view(hit_in,
+                   [&](std::size_t range, LeafId id, const Leaf& leaf, const CellMask& open) {
+                     const CellMask cells = crossed_in(leaf.origin, open);
+                     if (!cells.none()) crossed(range, id, leaf.origin, cells);
+                   });
+}
+
+// Leaves of one cell are asked together with the others of their block.
+void Cast::run_by_cell(HitIn hit_in, Crossed crossed) const {
+  struct Found {
+    LeafId id;
+    Cell cell;
+  };
+  std::vector<std::vector<Found>> found(ranges_);
+  for_each_in_view(hit_in, [&](std::size_t range, LeafId id, const Leaf& leaf, const CellMask&) {
+    found[range].push_back({id, leaf.origin});
+  });
+  BlockMarks asked;
+  for (const auto& part : found) {
+    for (const Found& leaf : part) asked.add(leaf.cell);
   }
-  return std::move(found[0]);
+  std::vector<CellMask> cells(asked.blocks().size());
+  for_each_range(threads_, cells.size(), [&](std::size_t, std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      cells[i] = crossed_in(asked.blocks()[i].origin, asked.blocks()[i].cells);
+    }
+  });
+  for (std::size_t range = 0; range < ranges_; ++range) {
+    for (const Found& leaf : found[range]) {
+      if (cells[*asked.find(block_origin(leaf.cell))].test(block_position(leaf.cell))) {
+        crossed(range, leaf.id, leaf.cell, CellMask::single(0));
+      }
+    }
+  }
 }
 
 }  // namespace rmap

@@ -29,6 +29,7 @@ constexpr std::size_t kEdge = kBlockEdge;
 using Floats = hn::ScalableTag<float>;
 using Floats8 = hn::CappedTag<float, kEdge>;
 using Ints8 = hn::RebindToSigned<Floats8>;
+using Doubles8 = hn::CappedTag<double, kEdge>;
 
 // The planes between which the cells of a block lie, on one axis, as seen from the origin.
 struct AxisPlanes {
@@ -42,28 +43,39 @@ struct AxisPlanes {
   cube_map::Slab slab() const { return {low.front(), high.back()}; }
 };
 
+// `origin` is rounded only once its distance is taken.
 AxisPlanes planes_of(std::int32_t first, double origin, std::int32_t origin_layer) {
+  const Doubles8 dd;
+  const hn::Rebind<float, Doubles8> d;
   AxisPlanes planes;
-  for (std::size_t i = 0; i < kEdge; ++i) {
-    const std::int32_t layer = first + static_cast<std::int32_t>(i);
-    const auto low = static_cast<float>(layer - origin);
-    const auto high = static_cast<float>(layer + 1.0 - origin);
-    if (layer > origin_layer) {
-      planes.near[i] = std::max(low, kLeast);
-      planes.far[i] = high;
-    } else if (layer < origin_layer) {
-      planes.near[i] = std::min(high, -kLeast);
-      planes.far[i] = low;
-    } else {
-      planes.near[i] = 0;
-      planes.far[i] = std::max(high, kLeast);
-      planes.own_low = std::min(low, -kLeast);
-      planes.own = i;
-    }
-    const cube_map::Slab slab = cube_map::slab(layer, layer + 1.0, origin);
-    planes.low[i] = slab.low;
-    planes.high[i] = slab.high;
+  const auto tiny = hn::Set(d, cube_map::kTiny);
+  for (std::size_t i = 0; i < kEdge; i += hn::Lanes(dd)) {
+    const auto layer =
+        hn::Add(hn::Iota(dd, static_cast<double>(i)), hn::Set(dd, static_cast<double>(first)));
+    const auto from_origin = [&](auto plane) {
+      return hn::DemoteTo(d, hn::Sub(plane, hn::Set(dd, origin)));
+    };
+    const auto low = from_origin(layer);
+    const auto high = from_origin(hn::Add(layer, hn::Set(dd, 1.0)));
+    hn::Store(low, d, planes.near.data() + i);
+    hn::Store(high, d, planes.far.data() + i);
+    hn::Store(hn::Sub(low, tiny), d, planes.low.data() + i);
+    hn::Store(hn::Add(high, tiny), d, planes.high.data() + i);
   }
+  const std::int32_t own = origin_layer - first;
+  const auto above = static_cast<std::size_t>(std::clamp<std::int32_t>(own + 1, 0, kBlockEdge));
+  const auto below = static_cast<std::size_t>(std::clamp<std::int32_t>(own, 0, kBlockEdge));
+  for (std::size_t i = 0; i < below; ++i) {
+    std::swap(planes.near[i], planes.far[i]);
+    planes.near[i] = std::min(planes.near[i], -kLeast);
+  }
+  if (below < above) {
+    planes.own = below;
+    planes.own_low = std::min(planes.near[below], -kLeast);
+    planes.near[below] = 0;
+    planes.far[below] = std::max(planes.far[below], kLeast);
+  }
+  for (std::size_t i = above; i < kEdge; ++i) planes.near[i] = std::max(planes.near[i], kLeast);
   return planes;
 }
 
@@ -172,8 +184,7 @@ class BlockCaster {
     if (row_count_ + kManyRows > kMaxRows) test_rows();
     for (int row_on_face = v.first; row_on_face <= v.last; ++row_on_face) {
       const std::size_t row = row_of(face, row_on_face);
-      if (beams_.row_used[row] == 0) continue;
-      const std::size_t border = row * stride() + static_cast<std::size_t>(u.first);
+      const auto border = static_cast<std::size_t>(beams_.row_borders[row] + u.first);
       hwy::Prefetch(beams_.borders + border);
       rows_[row_count_++] = {static_cast<std::uint32_t>(border),
                              static_cast<std::uint32_t>(u.last + 1 - u.first), position};
@@ -185,9 +196,9 @@ class BlockCaster {
                   BlockPosition position) {
     for (int row_on_face = v.first; row_on_face <= v.last; ++row_on_face) {
       const std::size_t row = row_of(face, row_on_face);
-      if (beams_.row_used[row] == 0) continue;
-      const std::uint32_t* borders = beams_.borders + row * stride();
-      test({borders[u.first], borders[u.last + 1], position});
+      const std::int32_t* borders = beams_.borders + beams_.row_borders[row];
+      test({static_cast<std::uint32_t>(borders[u.first]),
+            static_cast<std::uint32_t>(borders[u.last + 1]), position});
       if (crossed_.test(position)) return;
     }
   }
@@ -197,8 +208,8 @@ class BlockCaster {
     std::size_t count = 0;
     for (std::size_t i = 0; i < row_count_; ++i) {
       const RowOfBeams bins = rows_[i];
-      const std::uint32_t begin = beams_.borders[bins.begin];
-      const std::uint32_t end = beams_.borders[bins.begin + bins.end];
+      const auto begin = static_cast<std::uint32_t>(beams_.borders[bins.begin]);
+      const auto end = static_cast<std::uint32_t>(beams_.borders[bins.begin + bins.end]);
       for (const float* inverse : beams_.inverse) hwy::Prefetch(inverse + begin);
       rows_[count] = {begin, end, bins.cell};
       count += begin < end ? 1 : 0;
@@ -259,7 +270,6 @@ class BlockCaster {
     return static_cast<std::size_t>(face) * static_cast<std::size_t>(beams_.bins) +
            static_cast<std::size_t>(row_on_face);
   }
-  std::size_t stride() const { return static_cast<std::size_t>(beams_.bins) + 1; }
   static std::array<std::size_t, 3> offset_of(BlockPosition position) {
     const Cell offset = block_offset(position);
     return {static_cast<std::size_t>(offset.x()), static_cast<std::size_t>(offset.y()),

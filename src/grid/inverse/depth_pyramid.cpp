@@ -10,7 +10,7 @@ DepthPyramid::DepthPyramid(int bins)
     : bins_(bins), levels_(std::countr_zero(static_cast<unsigned>(bins))) {
   assert(std::has_single_bit(static_cast<unsigned>(bins)) && bins >= 2);
   std::size_t size = 0;
-  for (int level = 1; level <= levels_; ++level) {
+  for (int level = 0; level <= levels_; ++level) {
     first_[static_cast<std::size_t>(level)] = size;
     const auto edge = static_cast<std::size_t>(bins >> level);
     size += cube_map::kFaces * edge * edge;
@@ -21,16 +21,11 @@ DepthPyramid::DepthPyramid(int bins)
 void DepthPyramid::add_row(std::size_t row, const float* depths) {
   const int face = static_cast<int>(row) / bins_;
   const int v = static_cast<int>(row) % bins_;
-  float* above = depths_.data() + place(1, face, 0, v / 2);
-  const auto bins = static_cast<std::size_t>(bins_);
-  for (std::size_t u = 0; u < bins / 2; ++u) {
-    const float deeper = depths[2 * u] < depths[2 * u + 1] ? depths[2 * u + 1] : depths[2 * u];
-    above[u] = above[u] < deeper ? deeper : above[u];
-  }
+  std::copy_n(depths, bins_, depths_.data() + place(0, face, 0, v));
 }
 
 void DepthPyramid::finish() {
-  for (int level = 2; level <= levels_; ++level) {
+  for (int level = 1; level <= levels_; ++level) {
     const int edge = bins_ >> level;
     for (int face = 0; face < cube_map::kFaces; ++face) {
       for (int v = 0; v < edge; ++v) {
@@ -50,7 +45,7 @@ bool DepthPyramid::reaches(int face, const cube_map::Bins& u, const cube_map::Bi
                            float depth) const {
   // At this level the rectangle is at most three bins wide.
   const auto span = static_cast<unsigned>(std::max(u.last - u.first, v.last - v.first));
-  const int level = std::clamp(static_cast<int>(std::bit_width(span)) - 1, 1, levels_);
+  const int level = std::clamp(static_cast<int>(std::bit_width(span)) - 1, 0, levels_);
   for (int row = v.first >> level; row <= v.last >> level; ++row) {
     for (int bin = u.first >> level; bin <= u.last >> level; ++bin) {
       if (depths_[place(level, face, bin, row)] > depth) return true;

@@ -71,11 +71,10 @@ TEST(BeamIndex, HoldsEachBeamOnceInTheBinOfItsDirection) {
       std::vector<int> seen(scan.points.size(), 0);
       const int rows = cube_map::kFaces * sorted.bins;
       for (int row = 0; row < rows; ++row) {
-        if (sorted.row_used[row] == 0) continue;
         const cube_map::Axes axes = cube_map::axes_of(row / sorted.bins);
-        const std::uint32_t* borders = sorted.borders + std::ptrdiff_t{row} * (sorted.bins + 1);
+        const std::int32_t* borders = sorted.borders + sorted.row_borders[row];
         for (int u = 0; u < sorted.bins; ++u) {
-          for (std::uint32_t i = borders[u]; i < borders[u + 1]; ++i) {
+          for (std::int32_t i = borders[u]; i < borders[u + 1]; ++i) {
             ++seen[sorted.number[i]];
             const Vector3d direction = indexed.beams.beam(sorted.number[i])->direction();
             const double depth = std::abs(direction[static_cast<Eigen::Index>(axes.depth)]);
