@@ -43,6 +43,17 @@ class BlockMarks {
   }
   /// The blocks with marks, in the order in which they got the first.
   const std::vector<Block>& blocks() const { return blocks_; }
+  /// Holds all blocks with marks.
+  CellBox bounds() const {
+    if (blocks_.empty()) return {};
+    Cell low = blocks_.front().origin;
+    Cell high = low;
+    for (const Block& block : blocks_) {
+      low = low.cwiseMin(block.origin);
+      high = high.cwiseMax(block.origin);
+    }
+    return {.min = low, .max = high + Cell::Constant(kBlockEdge)};
+  }
   /// Number of cells.
   std::uint64_t count() const {
     std::uint64_t count = 0;

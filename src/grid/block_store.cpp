@@ -3,8 +3,15 @@
 #include <algorithm>
 
 #include <fmt/format.h>
+#include <hwy/cache_control.h>
 
 namespace rmap {
+
+namespace {
+
+constexpr std::size_t kCacheLine = 64 / sizeof(Value);
+
+}  // namespace
 
 static_assert(packed_block::kMaxLength <= ValuePool::kMaxCount);
 
@@ -19,6 +26,12 @@ Leaf BlockStore::leaf(LeafId id, const Cell& origin) const {
 LeafStore::Content BlockStore::content(LeafId id) {
   Value* const packed = run(id);
   return {.cells = packed_block::cells(packed), .values = packed_block::values(packed)};
+}
+
+void BlockStore::prefetch(LeafId id) const {
+  const Value* const packed = run(id);
+  hwy::Prefetch(packed);
+  hwy::Prefetch(packed + kCacheLine);
 }
 
 BytesInUse BlockStore::bytes_in_use() const {

@@ -14,6 +14,7 @@ class BlockStore final : public LeafStore {
 
   Leaf leaf(LeafId id, const Cell& origin) const override;
   Content content(LeafId id) override;
+  void prefetch(LeafId id) const override;
   LeafId id_limit() const override { return static_cast<LeafId>(blocks_.slots()); }
   BytesInUse bytes_in_use() const override;
   Stamp stamp(LeafId id) const override { return blocks_.record(id)->stamp; }

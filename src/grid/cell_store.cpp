@@ -3,6 +3,7 @@
 #include <cassert>
 
 #include <fmt/format.h>
+#include <hwy/cache_control.h>
 
 namespace rmap {
 
@@ -24,6 +25,8 @@ Leaf CellStore::leaf(LeafId id, const Cell& origin) const {
 LeafStore::Content CellStore::content(LeafId id) {
   return {.cells = kOneCell, .values = &entries_.record(id)->value};
 }
+
+void CellStore::prefetch(LeafId id) const { hwy::Prefetch(entries_.record(id)); }
 
 BytesInUse CellStore::bytes_in_use() const {
   return {.nodes = tree_bytes(), .values = entries_.bytes_in_use()};

@@ -104,6 +104,7 @@ template <class Change>
 std::uint64_t Grid::Implementation::update(LeafId id, const Cell& origin, const CellMask& cells,
                                            const CellMask& created, Change&& change) {
   const auto [existing, values] = store->content(id);
+  const bool notes_flips = log.tracks_flips();
   std::uint64_t changed = 0;
   cells.for_each_ranked(existing, [&, first = values](BlockPosition position, std::uint32_t rank) {
     Value& value = first[rank];
@@ -112,7 +113,9 @@ std::uint64_t Grid::Implementation::update(LeafId id, const Cell& origin, const 
     const bool is_new = created.test(position);
     value = change(cell, before);
     if (value != before || is_new) ++changed;
-    if (rule.occupied(value) != (!is_new && rule.occupied(before))) log.flipped(cell);
+    if (notes_flips && rule.occupied(value) != (!is_new && rule.occupied(before))) {
+      log.flipped(cell);
+    }
   });
   if (changed > 0) store->set_stamp(id, log.stamp());
   return changed;

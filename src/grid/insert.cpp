@@ -1,5 +1,6 @@
 #include "grid/beam_groups.hpp"
 #include "grid/end_cells.hpp"
+#include "grid/end_leaves.hpp"
 #include "grid/implementation.hpp"
 #include "grid/missed_cells.hpp"
 #include "grid/scan_beams.hpp"
@@ -8,29 +9,57 @@
 
 namespace rmap {
 
+namespace {
+
+// Leaves that can be gone over in the time of a search for one.
+constexpr std::size_t kLeavesPerSearch = 8;
+// Leaves whose content is on its way from memory while others are worked on.
+constexpr std::size_t kAhead = 6;
+
+}  // namespace
+
 Grid::Implementation::Ensured Grid::Implementation::ensure(const BlockMarks& cells) {
+  const EndLeaves end_leaves(*store, cells);
+  EndLeaves::Rest rest(end_leaves);
   Ensured ensured;
+  // In a map that is small beside the scan, going over the leaves costs less than searches.
+  const bool goes_over = store->leaf_count() < kLeavesPerSearch * cells.blocks().size();
+  if (goes_over) {
+    std::vector<EndLeaves::Met> all_met;
+    store->visit(cells.bounds(), [&](LeafId id, const Leaf& leaf) {
+      EndLeaves::Met met;
+      if (const CellMask* const ends = end_leaves.find(leaf, met)) {
+        ensured.leaves.push_back({id, leaf.origin, *ends});
+        all_met.push_back(met);
+      }
+      return true;
+    });
+    rest.take(all_met);
+  }
   std::vector<MarkedLeaf> missing;
-  ensured.leaves.reserve(cells.blocks().size());
-  const auto note = [&](const MarkedLeaf& leaf, std::uint32_t new_cells) {
-    ensured.leaves.push_back(leaf);
-    if (new_cells == 0) return;
-    ensured.new_cells += new_cells;
-    store->set_stamp(leaf.id, log.stamp());
-    count_new_cells(new_cells);
-  };
-  const auto sort_out = [&](const Cell& origin, const CellMask& marks) {
-    if (const auto id = store->find(origin)) {
-      note({*id, origin, marks}, store->add_missing(*id, marks, rule.prior()).count());
+  rest.for_each([&](const Cell& origin, const CellMask& marks) {
+    const auto id = goes_over ? std::nullopt : store->find(origin);
+    if (id) {
+      ensured.leaves.push_back({*id, origin, marks});
     } else {
       missing.push_back({0, origin, marks});
     }
+  });
+
+  const auto note_new = [&](LeafId id, std::uint32_t new_cells) {
+    if (new_cells == 0) return;
+    ensured.new_cells += new_cells;
+    store->set_stamp(id, log.stamp());
+    count_new_cells(new_cells);
   };
-  for (const BlockMarks::Block& block : cells.blocks()) {
-    store->for_each_leaf_of(block.origin, block.cells, sort_out);
+  for (std::size_t i = 0; i < ensured.leaves.size(); ++i) {
+    if (i + kAhead < ensured.leaves.size()) store->prefetch(ensured.leaves[i + kAhead].id);
+    const MarkedLeaf& leaf = ensured.leaves[i];
+    note_new(leaf.id, store->add_missing(leaf.id, leaf.cells, rule.prior()).count());
   }
   enter_missing(missing, rule.prior());
-  for (const MarkedLeaf& leaf : missing) note(leaf, leaf.cells.count());
+  for (const MarkedLeaf& leaf : missing) note_new(leaf.id, leaf.cells.count());
+  ensured.leaves.insert(ensured.leaves.end(), missing.begin(), missing.end());
   return ensured;
 }
 

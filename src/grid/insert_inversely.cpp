@@ -1,3 +1,4 @@
+#include "grid/end_leaves.hpp"
 #include "grid/implementation.hpp"
 #include "grid/inverse/cast.hpp"
 
@@ -7,12 +8,6 @@ namespace rmap {
 
 namespace {
 
-// An end cell's leaf that was there before the scan.
-struct Met {
-  std::uint32_t block;     ///< place in the end cells' blocks
-  BlockPosition position;  ///< of the leaf's lowest cell in the block
-};
-
 struct Grown {
   LeafId id;
   std::uint32_t block;
@@ -20,51 +15,10 @@ struct Grown {
 
 // What one range of the cast found and did.
 struct Share {
-  std::vector<Met> met;
+  std::vector<EndLeaves::Met> met;
   std::vector<Grown> grown;  ///< leaves that lack end cells
   std::uint64_t hits = 0;
   std::uint64_t misses = 0;
-};
-
-// The end cells of a scan, and which of their leaves a cast met.
-class EndLeaves {
- public:
-  EndLeaves(const LeafStore& store, const BlockMarks& ends) : store_(store), ends_(ends) {}
-
-  /// The end cells in a leaf, and where they stand; null when there are none.
-  const CellMask* find(const Leaf& leaf, Met& met) const {
-    const auto block = ends_.find(block_origin(leaf.origin));
-    if (!block) return nullptr;
-    met = {*block, block_position(leaf.origin)};
-    if (leaf.edge == kBlockEdge) return &cells(*block);
-    static constexpr CellMask kOneCell = CellMask::single(0);
-    return cells(*block).test(met.position) ? &kOneCell : nullptr;
-  }
-  const CellMask& cells(std::uint32_t block) const { return ends_.blocks()[block].cells; }
-
-  /// use(origin, cells) for the leaves that were not met.
-  template <class Use>
-  void for_each_other(std::span<const Share> shares, const Use& use) const {
-    std::vector<CellMask> left;
-    left.reserve(ends_.blocks().size());
-    for (const BlockMarks::Block& block : ends_.blocks()) left.push_back(block.cells);
-    for (const Share& share : shares) {
-      for (const Met& met : share.met) {
-        if (store_.edge() == kBlockEdge) {
-          left[met.block] = {};
-        } else {
-          left[met.block].reset(met.position);
-        }
-      }
-    }
-    for (std::size_t i = 0; i < left.size(); ++i) {
-      if (!left[i].none()) store_.for_each_leaf_of(ends_.blocks()[i].origin, left[i], use);
-    }
-  }
-
- private:
-  const LeafStore& store_;
-  const BlockMarks& ends_;
 };
 
 }  // namespace
@@ -81,7 +35,7 @@ Grid::Implementation::Updates Grid::Implementation::insert_inversely(const ScanB
   // Hits first. Cells that are to come need no cast: the scan hits them.
   cast.run(
       [&](std::size_t range, LeafId id, const Leaf& leaf) {
-        Met met;
+        EndLeaves::Met met;
         const CellMask* const cells = end_leaves.find(leaf, met);
         if (cells == nullptr) return cells;
         Share& share = shares[range];
@@ -110,12 +64,14 @@ Grid::Implementation::Updates Grid::Implementation::insert_inversely(const ScanB
     updates.hits += share.hits;
     updates.misses += share.misses;
     for (const Grown& leaf : share.grown) {
-      note_new(leaf.id, ends.blocks()[leaf.block].origin,
+      note_new(leaf.id, end_leaves.origin(leaf.block),
                store->add_missing(leaf.id, end_leaves.cells(leaf.block), first_hit));
     }
   }
+  EndLeaves::Rest rest(end_leaves);
+  for (const Share& share : shares) rest.take(share.met);
   std::vector<MarkedLeaf> missing;
-  end_leaves.for_each_other(shares, [&](const Cell& origin, const CellMask& cells) {
+  rest.for_each([&](const Cell& origin, const CellMask& cells) {
     if (const auto id = store->find(origin)) {
       // Out of view: beams without a direction end there.
       const CellMask created = store->add_missing(*id, cells, first_hit);

@@ -93,6 +93,8 @@ class LeafStore {
     Value* values;
   };
   virtual Content content(LeafId id) = 0;
+  /// Asks for the memory of content(id) ahead of time.
+  virtual void prefetch(LeafId id) const = 0;
   /// Removes existing cells of a leaf; a leaf without cells goes, and its id with it.
   void remove(LeafId id, const Cell& origin, const CellMask& cells);
 
