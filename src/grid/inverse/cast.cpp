@@ -14,11 +14,19 @@ namespace {
 constexpr std::size_t kRangesPerThread = 8;
 constexpr std::size_t kPartsPerRange = 4;
 
+// Without a branch for each value: whole vectors are looked at.
+bool any_settled(std::span<const Value> values, const UpdateRule& rule) {
+  bool any = false;
+  for (const Value value : values) any |= rule.settled(value);
+  return any;
+}
+
 // The cells of a leaf that a crossing beam would change.
 CellMask open_cells(const Leaf& leaf, const CellMask* hits, const UpdateRule& rule) {
   const CellMask existing = leaf.cells();
   const Value* const values = leaf.values();
   const CellMask left = hits == nullptr ? existing : existing.without(*hits);
+  if (!any_settled({values, existing.count()}, rule)) return left;
   CellMask open = left;
   left.for_each_ranked(existing, [&](BlockPosition position, std::uint32_t rank) {
     if (rule.settled(values[rank])) open.reset(position);

@@ -182,13 +182,19 @@ class BlockCaster {
     if (u.first > u.last || v.first > v.last) return;
     if (v.last - v.first >= kManyRows) return cover_many(face, u, v, position);
     if (row_count_ + kManyRows > kMaxRows) test_rows();
-    for (int row_on_face = v.first; row_on_face <= v.last; ++row_on_face) {
-      const std::size_t row = row_of(face, row_on_face);
-      const auto border = static_cast<std::size_t>(beams_.row_borders[row] + u.first);
-      hwy::Prefetch(beams_.borders + border);
-      rows_[row_count_++] = {static_cast<std::uint32_t>(border),
-                             static_cast<std::uint32_t>(u.last + 1 - u.first), position};
-    }
+    // One row or two, as a rule, and no telling which.
+    add_row(row_of(face, v.first), u, position);
+    const std::size_t before_second = row_count_;
+    add_row(row_of(face, v.last), u, position);
+    row_count_ = before_second + (v.last > v.first ? 1 : 0);
+    for (int row = v.first + 1; row < v.last; ++row) add_row(row_of(face, row), u, position);
+  }
+
+  void add_row(std::size_t row, const cube_map::Bins& u, BlockPosition position) {
+    const auto border = static_cast<std::size_t>(beams_.row_borders[row] + u.first);
+    hwy::Prefetch(beams_.borders + border);
+    rows_[row_count_++] = {static_cast<std::uint32_t>(border),
+                           static_cast<std::uint32_t>(u.last + 1 - u.first), position};
   }
 
   // A cell so near that it covers many rows: the first beams tell, as a rule.
