@@ -129,7 +129,17 @@ constexpr std::int32_t block_offset(BlockPosition position, std::uint32_t axis) 
 }
 /// The same on all axes.
 inline Cell block_offset(BlockPosition position) {
-  return {block_offset(position, 0), block_offset(position, 1), block_offset(position, 2)};
+  // Four bits for each axis.
+  static constexpr auto kOffsets = [] {
+    std::array<std::uint16_t, kBlockCells> offsets{};
+    for (BlockPosition i = 0; i < kBlockCells; ++i) {
+      offsets[i] = static_cast<std::uint16_t>(block_offset(i, 0) | block_offset(i, 1) << 4 |
+                                              block_offset(i, 2) << 8);
+    }
+    return offsets;
+  }();
+  const std::int32_t offsets = kOffsets[position];
+  return {offsets & 15, (offsets >> 4) & 15, offsets >> 8};
 }
 /// Lowest cell of the block that holds `cell`.
 inline Cell block_origin(const Cell& cell) {

@@ -3,9 +3,53 @@
 #include "grid/block_store.hpp"
 #include "grid/cell_store.hpp"
 
+#include <array>
+#include <utility>
+
 #include <fmt/format.h>
 
 namespace rmap {
+
+namespace {
+
+// Hands leaves on a few places later, so that their content is on its way from memory while
+// others are worked on.
+template <class Use>
+class Lookahead {
+ public:
+  Lookahead(const LeafStore& store, Use use) : store_(store), use_(std::move(use)) {}
+
+  bool add(const CellBox& box, LeafId id) {
+    store_.prefetch(id);
+    const Waiting leaf = std::exchange(waiting_[next_ % kAhead], {box.min, id});
+    return ++next_ <= kAhead || use_leaf(leaf);
+  }
+  /// Those that still wait.
+  bool finish() {
+    for (std::size_t i = next_ < kAhead ? 0 : next_ - kAhead; i < next_; ++i) {
+      if (!use_leaf(waiting_[i % kAhead])) return false;
+    }
+    return true;
+  }
+
+ private:
+  static constexpr std::size_t kAhead = 4;
+  struct Waiting {
+    Cell origin = Cell::Zero();
+    LeafId id = 0;
+  };
+
+  bool use_leaf(const Waiting& leaf) {
+    return use_(leaf.id, store_.leaf(leaf.id, leaf.origin));
+  }
+
+  const LeafStore& store_;
+  Use use_;
+  std::array<Waiting, kAhead> waiting_{};
+  std::size_t next_ = 0;
+};
+
+}  // namespace
 
 std::unique_ptr<LeafStore> LeafStore::make(const Options& options) {
   if (options.layout == Layout::cells) return std::make_unique<CellStore>(options);
@@ -29,8 +73,10 @@ const Value* LeafStore::find_value(const Cell& cell) const {
 }
 
 bool LeafStore::visit(const CellBox& region, FunctionRef<bool(LeafId, const Leaf&)> visit) const {
+  Lookahead ahead(*this, visit);
   return tree_.overlapping(
-      region, [&](const CellBox& box, LeafId id) { return visit(id, leaf(id, box.min)); });
+             region, [&](const CellBox& box, LeafId id) { return ahead.add(box, id); }) &&
+         ahead.finish();
 }
 
 bool LeafStore::visit_crossed(const Beam& beam,

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -76,6 +77,37 @@ class Selector {
   CellBox region_ = all_cells();
 };
 
+// The wanted cells of a leaf, in Morton order.
+class WantedCells {
+ public:
+  WantedCells(const Leaf& leaf, const Selector& selector) {
+    if (!selector.wants(leaf)) return;
+    if (selector.wants_all_places(leaf)) {
+      list(leaf, [&](const Cell&, Value value) { return selector.wants(value); });
+    } else {
+      list(leaf, [&](const Cell& cell, Value value) { return selector.wants(cell, value); });
+    }
+  }
+
+  const CellValue* begin() const { return cells_.data(); }
+  const CellValue* end() const { return cells_.data() + count_; }
+
+ private:
+  // Nothing foretells which cells are occupied: they are listed without a branch for each.
+  template <class Wants>
+  void list(const Leaf& leaf, const Wants& wants) {
+    std::size_t count = 0;
+    leaf.for_each([&](const Cell& cell, Value value) {
+      cells_[count] = {cell, value};
+      count += wants(cell, value) ? 1 : 0;
+    });
+    count_ = count;
+  }
+
+  std::array<CellValue, kBlockCells> cells_;
+  std::size_t count_ = 0;
+};
+
 }  // namespace
 
 CellRange::CellRange(const Grid& grid, const CellSelection& selection, Order order)
@@ -102,9 +134,8 @@ void CellRange::fill() {
   batch_.clear();
   next_ = 0;
   while (batch_.empty() && next_leaf_ < leaves_.size()) {
-    leaves_[next_leaf_++].for_each([&](const Cell& cell, Value value) {
-      if (selector.wants(cell, value)) batch_.push_back({cell, value});
-    });
+    const WantedCells wanted(leaves_[next_leaf_++], selector);
+    batch_.assign(wanted.begin(), wanted.end());
   }
 }
 
@@ -117,14 +148,10 @@ void for_each_cell(const Grid& grid, const CellSelection& selection,
   const Selector selector(grid, selection);
   if (selector.region().empty()) return;
   grid.visit_leaves(selector.region(), [&](const Leaf& leaf) {
-    if (!selector.wants(leaf)) return true;
-    bool go_on = true;
-    const bool anywhere = selector.wants_all_places(leaf);
-    leaf.for_each([&](const Cell& cell, Value value) {
-      const bool wanted = anywhere ? selector.wants(value) : selector.wants(cell, value);
-      if (go_on && wanted) go_on = use(cell, value);
-    });
-    return go_on;
+    for (const auto& [cell, value] : WantedCells(leaf, selector)) {
+      if (!use(cell, value)) return false;
+    }
+    return true;
   });
 }
 
