@@ -146,10 +146,34 @@ inline Cell block_origin(const Cell& cell) {
   return cell.unaryExpr([](std::int32_t index) { return index & ~(kBlockEdge - 1); });
 }
 
-/// The positions at offsets of `low` to `high` from the block's lowest cell, both inclusive and
-/// within 0 to 7 on each axis.
-inline CellMask cells_between(const Cell& low, const Cell& high) {
-  // below[axis][i]: the positions at offsets below i on that axis.
+/// A box of positions in a block: those at offsets of `low` to `high` from its lowest cell, both
+/// inclusive and within 0 to 7 on each axis. Cheap when only some words of the mask are asked.
+class CellsBetween {
+ public:
+  CellsBetween(const Cell& low, const Cell& high) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const auto at = static_cast<int>(axis);
+      below_low_[axis] = &kBelow[axis][static_cast<std::size_t>(low[at])];
+      below_high_[axis] = &kBelow[axis][static_cast<std::size_t>(high[at]) + 1];
+    }
+  }
+
+  /// A word of the mask.
+  std::uint64_t word(std::size_t i) const {
+    std::uint64_t word = ~std::uint64_t{0};
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      word &= below_high_[axis]->words()[i] & ~below_low_[axis]->words()[i];
+    }
+    return word;
+  }
+  CellMask mask() const {
+    CellMask mask;
+    for (std::size_t i = 0; i < mask.words().size(); ++i) mask.words()[i] = word(i);
+    return mask;
+  }
+
+ private:
+  // kBelow[axis][i]: the positions at offsets below i on that axis.
   static constexpr auto kBelow = [] {
     std::array<std::array<CellMask, kBlockEdge + 1>, 3> below{};
     for (std::uint32_t axis = 0; axis < 3; ++axis) {
@@ -160,12 +184,9 @@ inline CellMask cells_between(const Cell& low, const Cell& high) {
     }
     return below;
   }();
-  const auto layers = [&](int axis) {
-    const auto& below = kBelow[static_cast<std::size_t>(axis)];
-    return below[static_cast<std::size_t>(high[axis]) + 1].without(
-        below[static_cast<std::size_t>(low[axis])]);
-  };
-  return layers(0) & layers(1) & layers(2);
-}
+
+  std::array<const CellMask*, 3> below_low_;
+  std::array<const CellMask*, 3> below_high_;
+};
 
 }  // namespace rmap

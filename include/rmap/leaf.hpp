@@ -36,7 +36,9 @@ struct Leaf {
   CellBox box() const { return {.min = origin, .max = origin + Cell::Constant(edge)}; }
   /// Which cells exist.
   CellMask cells() const { return edge == 1 ? CellMask::single(0) : packed_block::cells(content); }
-  /// Their values in the order of positions.
+  /// Those of a block that lie in a box.
+  CellMask cells(const CellsBetween& box) const { return packed_block::cells(content, box); }
+  /// The values of all in the order of positions.
   const Value* values() const { return edge == 1 ? content : packed_block::values(content); }
   /// The value of a cell that lies in the leaf, null where it does not exist.
   const Value* find(const Cell& cell) const {

@@ -53,6 +53,19 @@ inline CellMask cells(const Value* run) {
   return mask;
 }
 
+/// Those of them that lie in a box.
+inline CellMask cells(const Value* run, const CellsBetween& box) {
+  CellMask mask;
+  std::uint32_t place = 0;
+  for (std::uint32_t left = detail::present(run); left != 0; left &= left - 1, ++place) {
+    const auto i = static_cast<std::size_t>(std::countr_zero(left));
+    if (const std::uint64_t wanted = box.word(i)) {
+      mask.words()[i] = detail::word(run, place) & wanted;
+    }
+  }
+  return mask;
+}
+
 inline const Value* values(const Value* run) {
   return run + kHeader + kWord * bit_count(detail::present(run));
 }

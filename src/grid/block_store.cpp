@@ -1,9 +1,9 @@
 #include "grid/block_store.hpp"
 
 #include <algorithm>
+#include <hwy/cache_control.h>
 
 #include <fmt/format.h>
-#include <hwy/cache_control.h>
 
 namespace rmap {
 

@@ -1,9 +1,9 @@
 #include "grid/cell_store.hpp"
 
 #include <cassert>
+#include <hwy/cache_control.h>
 
 #include <fmt/format.h>
-#include <hwy/cache_control.h>
 
 namespace rmap {
 

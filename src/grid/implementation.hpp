@@ -41,6 +41,9 @@ class Grid::Implementation {
     std::uint64_t new_cells = 0;
   };
   Ensured ensure(const BlockMarks& cells);
+  /// Makes cells of existing leaves exist, new ones with `value`; note(id, origin, new cells).
+  template <class Note>
+  void add_missing(std::span<const MarkedLeaf> leaves, Value value, const Note& note);
   /// Makes leaves that do not exist, in an order of its own, and sets their ids.
   void enter_missing(std::vector<MarkedLeaf>& leaves, Value value);
 
@@ -80,6 +83,17 @@ class Grid::Implementation {
   std::vector<Pose> scan_poses;
   History history = History::complete;
 };
+
+template <class Note>
+void Grid::Implementation::add_missing(std::span<const MarkedLeaf> leaves, Value value,
+                                       const Note& note) {
+  constexpr std::size_t kAhead = 6;  // on their way from memory while others are worked on
+  for (std::size_t i = 0; i < leaves.size(); ++i) {
+    if (i + kAhead < leaves.size()) store->prefetch(leaves[i + kAhead].id);
+    const auto& [id, origin, cells] = leaves[i];
+    note(id, origin, store->add_missing(id, cells, value));
+  }
+}
 
 template <class Change>
 std::uint64_t Grid::Implementation::update_all(std::span<const MarkedLeaf> leaves,

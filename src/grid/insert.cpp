@@ -13,8 +13,6 @@ namespace {
 
 // Leaves that can be gone over in the time of a search for one.
 constexpr std::size_t kLeavesPerSearch = 8;
-// Leaves whose content is on its way from memory while others are worked on.
-constexpr std::size_t kAhead = 6;
 
 }  // namespace
 
@@ -46,19 +44,16 @@ Grid::Implementation::Ensured Grid::Implementation::ensure(const BlockMarks& cel
     }
   });
 
-  const auto note_new = [&](LeafId id, std::uint32_t new_cells) {
+  const auto note_new = [&](LeafId id, const Cell&, const CellMask& created) {
+    const std::uint32_t new_cells = created.count();
     if (new_cells == 0) return;
     ensured.new_cells += new_cells;
     store->set_stamp(id, log.stamp());
     count_new_cells(new_cells);
   };
-  for (std::size_t i = 0; i < ensured.leaves.size(); ++i) {
-    if (i + kAhead < ensured.leaves.size()) store->prefetch(ensured.leaves[i + kAhead].id);
-    const MarkedLeaf& leaf = ensured.leaves[i];
-    note_new(leaf.id, store->add_missing(leaf.id, leaf.cells, rule.prior()).count());
-  }
+  add_missing(ensured.leaves, rule.prior(), note_new);
   enter_missing(missing, rule.prior());
-  for (const MarkedLeaf& leaf : missing) note_new(leaf.id, leaf.cells.count());
+  for (const MarkedLeaf& leaf : missing) note_new(leaf.id, leaf.origin, leaf.cells);
   ensured.leaves.insert(ensured.leaves.end(), missing.begin(), missing.end());
   return ensured;
 }

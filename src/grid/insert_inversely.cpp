@@ -8,15 +8,10 @@ namespace rmap {
 
 namespace {
 
-struct Grown {
-  LeafId id;
-  std::uint32_t block;
-};
-
 // What one range of the cast found and did.
 struct Share {
   std::vector<EndLeaves::Met> met;
-  std::vector<Grown> grown;  ///< leaves that lack end cells
+  std::vector<MarkedLeaf> grown;  ///< leaves that lack some of these end cells
   std::uint64_t hits = 0;
   std::uint64_t misses = 0;
 };
@@ -42,7 +37,7 @@ Grid::Implementation::Updates Grid::Implementation::insert_inversely(const ScanB
         share.met.push_back(met);
         const CellMask here = leaf.cells() & *cells;
         share.hits += update(id, leaf.origin, here, {}, hit);
-        if (here != *cells) share.grown.push_back({id, met.block});
+        if (here != *cells) share.grown.push_back({id, leaf.origin, *cells});
         return cells;
       },
       [&](std::size_t range, LeafId id, const Cell& origin, const CellMask& cells) {
@@ -53,6 +48,7 @@ Grid::Implementation::Updates Grid::Implementation::insert_inversely(const ScanB
   const Value first_hit = rule.hit(rule.prior());
   const auto note_new = [&](LeafId id, const Cell& origin, const CellMask& cells) {
     const std::uint32_t count = cells.count();
+    if (count == 0) return;
     store->set_stamp(id, log.stamp());
     count_new_cells(count);
     updates.new_cells += count;
@@ -63,10 +59,7 @@ Grid::Implementation::Updates Grid::Implementation::insert_inversely(const ScanB
   for (const Share& share : shares) {
     updates.hits += share.hits;
     updates.misses += share.misses;
-    for (const Grown& leaf : share.grown) {
-      note_new(leaf.id, end_leaves.origin(leaf.block),
-               store->add_missing(leaf.id, end_leaves.cells(leaf.block), first_hit));
-    }
+    add_missing(share.grown, first_hit, note_new);
   }
   EndLeaves::Rest rest(end_leaves);
   for (const Share& share : shares) rest.take(share.met);
@@ -76,7 +69,7 @@ Grid::Implementation::Updates Grid::Implementation::insert_inversely(const ScanB
       // Out of view: beams without a direction end there.
       const CellMask created = store->add_missing(*id, cells, first_hit);
       updates.hits += update(*id, origin, cells.without(created), {}, hit);
-      if (!created.none()) note_new(*id, origin, created);
+      note_new(*id, origin, created);
     } else {
       missing.push_back({0, origin, cells});
     }

@@ -39,9 +39,7 @@ class Lookahead {
     LeafId id = 0;
   };
 
-  bool use_leaf(const Waiting& leaf) {
-    return use_(leaf.id, store_.leaf(leaf.id, leaf.origin));
-  }
+  bool use_leaf(const Waiting& leaf) { return use_(leaf.id, store_.leaf(leaf.id, leaf.origin)); }
 
   const LeafStore& store_;
   Use use_;
@@ -74,9 +72,9 @@ const Value* LeafStore::find_value(const Cell& cell) const {
 
 bool LeafStore::visit(const CellBox& region, FunctionRef<bool(LeafId, const Leaf&)> visit) const {
   Lookahead ahead(*this, visit);
-  return tree_.overlapping(
-             region, [&](const CellBox& box, LeafId id) { return ahead.add(box, id); }) &&
-         ahead.finish();
+  return tree_.overlapping(region, [&](const CellBox& box, LeafId id) {
+    return ahead.add(box, id);
+  }) && ahead.finish();
 }
 
 bool LeafStore::visit_crossed(const Beam& beam,

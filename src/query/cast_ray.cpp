@@ -61,7 +61,7 @@ class NearBeam {
       low[axis] = offset_of(std::min(from, to) - kSpare);
       high[axis] = offset_of(std::max(from, to) + kSpare);
     }
-    return leaf.cells() & cells_between(low, high);
+    return leaf.cells(CellsBetween(low, high));
   }
 
  private:

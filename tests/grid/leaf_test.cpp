@@ -15,6 +15,9 @@ TEST(BlockPosition, FollowsTheMortonOrderOfCells) {
     for (BlockPosition position = 0; position < kBlockCells; ++position) {
       const Cell cell = origin + block_offset(position);
       ASSERT_EQ(block_position(cell), position);
+      for (std::uint32_t axis = 0; axis < 3; ++axis) {
+        ASSERT_EQ(block_offset(position, axis), block_offset(position)[static_cast<int>(axis)]);
+      }
       ASSERT_EQ(block_origin(cell), origin);
       ASSERT_TRUE(position == 0 || morton_less(before, cell));
       before = cell;
@@ -30,7 +33,7 @@ TEST(Block, CellsBetweenAreThoseWithTheirOffsetsBetween) {
     const Cell b = random.cell(0, kBlockEdge - 1);
     const Cell low = a.cwiseMin(b);
     const Cell high = a.cwiseMax(b);
-    const CellMask mask = cells_between(low, high);
+    const CellMask mask = CellsBetween(low, high).mask();
     const CellBox box{low, high + Cell::Ones()};
     for (BlockPosition position = 0; position < kBlockCells; ++position) {
       ASSERT_EQ(mask.test(position), box.contains(block_offset(position)));

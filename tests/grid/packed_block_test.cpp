@@ -35,6 +35,10 @@ TEST(PackedBlock, HoldsTheCellsAndTheirValuesByRank) {
     for (std::uint32_t i = 0; i < mask.count(); ++i) values[i] = static_cast<Value>(i);
 
     ASSERT_EQ(packed_block::cells(run.data()), mask);
+    const Cell a = random.cell(0, kBlockEdge - 1);
+    const Cell b = random.cell(0, kBlockEdge - 1);
+    const CellsBetween box(a.cwiseMin(b), a.cwiseMax(b));
+    ASSERT_EQ(packed_block::cells(run.data(), box), mask & box.mask());
     ASSERT_EQ(values + mask.count(), run.data() + packed_block::length(mask));
     ASSERT_EQ(run[packed_block::length(mask)], kUntouched);
     for (BlockPosition position = 0; position < kBlockCells; ++position) {
