@@ -33,5 +33,21 @@ TEST(CellPlaces, CountInTheOrderInWhichCellsAreMet) {
   }
 }
 
+TEST(CellPlaces, TellCellsApartThatHashAlike) {
+  CellPlaces places;
+  std::vector<Cell> cells;
+  const auto cell_of = [&](std::uint32_t place) -> const Cell& { return cells[place]; };
+  for (std::uint32_t i = 0; i < 300; ++i) {
+    const auto x = static_cast<std::int32_t>(i * CellPlaces::kFactors[1]);
+    const auto y = static_cast<std::int32_t>(0U - i * CellPlaces::kFactors[0]);
+    const Cell cell(x, y, 0);
+    ASSERT_EQ(CellPlaces::hash_of(cell), 0U);
+    ASSERT_FALSE(places.find(cell, cell_of).has_value());
+    ASSERT_EQ(places.add(cell, 0, cell_of), i);
+    cells.push_back(cell);
+  }
+  for (std::uint32_t i = 0; i < cells.size(); ++i) ASSERT_EQ(places.find(cells[i], cell_of), i);
+}
+
 }  // namespace
 }  // namespace rmap

@@ -45,6 +45,12 @@ int compare_searches(const Tree& tree, const Items& items, Random& random) {
     const auto enter = [&](const CellBox& box) { return box.overlaps(region); };
     EXPECT_TRUE(tree.descend(enter, test::into(descended)));
     expect_same(descended, overlapping);
+    const auto least = static_cast<std::size_t>(random.integer(1, 60));
+    Found in_parts;
+    for (const Tree::Subtree& part : tree.subtrees(least, enter)) {
+      EXPECT_TRUE(tree.descend(part, enter, test::into(in_parts)));
+    }
+    expect_same(in_parts, overlapping);
 
     const Cell cell = test::cell_of(bounds, random);
     Found containing;
@@ -107,7 +113,7 @@ TEST(Search, EqualsThePlainSearchThroughAllChanges) {
       if (HasFailure()) return;
     }
   }
-  EXPECT_EQ(compared, 72 * 9 * kStages * kRegions * 5);
+  EXPECT_EQ(compared, 72 * 9 * kStages * kRegions * 6);
 }
 
 TEST(Search, AVisitorThatReturnsFalseStopsIt) {
