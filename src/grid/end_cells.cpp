@@ -28,14 +28,6 @@ std::size_t ranges_of(const BeamGroup& group, int threads) {
   return range_count(threads, tiles_of(group), kLeastTiles);
 }
 
-void add_ends(const PointTile& tile, BlockMarks& cells) {
-  EndBlocks blocks;
-  find_end_blocks(tile, blocks);
-  tile.ends.for_each([&](std::size_t i) {
-    cells.add(block_origin(tile.cell_of(i)), blocks.hash[i], blocks.position[i]);
-  });
-}
-
 // work(range, begin, end) over the places of a group, ranges starting with whole tiles.
 template <class Work>
 void for_each_range_of(const BeamGroup& group, int threads, const Work& work) {
@@ -63,11 +55,15 @@ EndCells gather_end_cells(const ScanBeams& beams, std::span<const BeamGroup> gro
       Share& share = shares[range];
       TileLoader loader(beams, group.origin);
       for_each_tile(group, begin, end, loader, [&](const PointTile& tile, std::size_t place) {
-        add_ends(tile, share.ends.cells);
+        EndBlocks blocks;
+        find_end_blocks(tile, blocks);
+        tile.ends.for_each([&](std::size_t i) {
+          share.ends.cells.add(block_origin(tile.cell_of(i)), blocks.hash[i], blocks.position[i]);
+        });
         share.ends.inserted += tile.ends.count();
         if (index != nullptr) index->add(tile, place, range);
         if (!chooses) return;
-        share.nearest->add(tile);
+        share.nearest->add(tile, blocks);
         tile.cuts.for_each([&](std::size_t i) { share.ends.chosen.push_back(tile.number(i)); });
       });
       share.ends.cut += loader.cut();

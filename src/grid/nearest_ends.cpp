@@ -7,18 +7,22 @@ namespace rmap {
 
 namespace {
 
+// Sets the hashes of a block's cells apart.
+constexpr std::uint32_t kPositionFactor = 0x27D4EB2FU;
+
 auto coordinates(const Vector3d& point) { return std::make_tuple(point.x(), point.y(), point.z()); }
 
 }  // namespace
 
 NearestEnds::NearestEnds(const ScanBeams& beams) : beams_(&beams) {}
 
-void NearestEnds::add(const PointTile& tile) {
+void NearestEnds::add(const PointTile& tile, const EndBlocks& blocks) {
   tile.ends.for_each([&](std::size_t i) {
     const Cell cell = tile.cell_of(i);
     const Vector3d off = tile.end_of(i) - (cell.cast<double>().array() + 0.5).matrix();
     const double distance = (off.x() * off.x() + off.y() * off.y()) + off.z() * off.z();
-    add(Entry{cell, tile.number(i), distance});
+    const std::uint32_t hash = blocks.hash[i] + blocks.position[i] * kPositionFactor;
+    add({.cell = cell, .hash = hash, .number = tile.number(i), .distance = distance});
   });
 }
 
@@ -27,9 +31,8 @@ void NearestEnds::add(const NearestEnds& other) {
 }
 
 void NearestEnds::add(const Entry& entry) {
-  const std::uint32_t place =
-      places_.add(entry.cell, CellPlaces::hash_of(entry.cell),
-                  [this](std::uint32_t i) -> const Cell& { return entries_[i].cell; });
+  const std::uint32_t place = places_.add(
+      entry.cell, entry.hash, [this](std::uint32_t i) -> const Cell& { return entries_[i].cell; });
   if (place == entries_.size()) {
     entries_.push_back(entry);
   } else if (is_nearer(entry, entries_[place])) {

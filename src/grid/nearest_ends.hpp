@@ -1,5 +1,6 @@
 #pragma once
 
+#include "grid/block_kernel.hpp"
 #include "grid/cell_places.hpp"
 #include "grid/point_tile.hpp"
 #include "grid/scan_beams.hpp"
@@ -17,7 +18,7 @@ class NearestEnds {
   explicit NearestEnds(const ScanBeams& beams);
 
   /// Takes the points of a tile that end in a cell.
-  void add(const PointTile& tile);
+  void add(const PointTile& tile, const EndBlocks& blocks);
   void add(const NearestEnds& other);
   /// Numbers of the beams kept, ascending.
   std::vector<std::uint32_t> numbers() const;
@@ -25,6 +26,7 @@ class NearestEnds {
  private:
   struct Entry {
     Cell cell;
+    std::uint32_t hash;
     std::uint32_t number;
     double distance;  ///< squared, from the cell's centre
   };
