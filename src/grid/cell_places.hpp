@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+#include <bit>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -12,6 +14,12 @@ namespace rmap {
 /// gathered by cell in a vector beside it, which keeps the cells: cell_of(place) tells them.
 class CellPlaces {
  public:
+  /// With room for `expected` cells, or what memory in the nearer caches allows.
+  explicit CellPlaces(std::size_t expected = 0)
+      : bits_(std::clamp(static_cast<int>(std::bit_width(kSparseness * expected)), kFewestBits,
+                         kMostBits)),
+        slots_(std::size_t{1} << bits_) {}
+
   /// Also of the lowest cells of blocks: the high bits of a hash count.
   static std::uint32_t hash_of(const Cell& cell) {
     const auto index = [&](int axis) { return static_cast<std::uint32_t>(cell[axis]); };
@@ -34,7 +42,8 @@ class CellPlaces {
   }
 
  private:
-  static constexpr int kFirstBits = 10;
+  static constexpr int kFewestBits = 10;
+  static constexpr int kMostBits = 15;
   // Slots for each cell, at the least: a probe that meets another cell costs more than memory.
   static constexpr std::size_t kSparseness = 8;
 
@@ -58,8 +67,8 @@ class CellPlaces {
   void enter(const Slot& entry);
   std::uint32_t added(std::uint32_t hash);
 
-  int bits_ = kFirstBits;  ///< binary logarithm of the number of slots
-  std::vector<Slot> slots_ = std::vector<Slot>(std::size_t{1} << kFirstBits);  ///< open addressing
+  int bits_;                 ///< binary logarithm of the number of slots
+  std::vector<Slot> slots_;  ///< open addressing
   std::uint32_t size_ = 0;
 };
 

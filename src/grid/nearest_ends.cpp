@@ -7,6 +7,8 @@ namespace rmap {
 
 namespace {
 
+// Points that end in a cell, roughly.
+constexpr std::size_t kPointsPerCell = 8;
 // Sets the hashes of a block's cells apart.
 constexpr std::uint32_t kPositionFactor = 0x27D4EB2FU;
 
@@ -14,7 +16,8 @@ auto coordinates(const Vector3d& point) { return std::make_tuple(point.x(), poin
 
 }  // namespace
 
-NearestEnds::NearestEnds(const ScanBeams& beams) : beams_(&beams) {}
+NearestEnds::NearestEnds(const ScanBeams& beams)
+    : beams_(&beams), places_(beams.size() / kPointsPerCell) {}
 
 void NearestEnds::add(const PointTile& tile, const EndBlocks& blocks) {
   tile.ends.for_each([&](std::size_t i) {
