@@ -6,6 +6,7 @@
 #include <span>
 #include <string>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 #include <rmap/beam.hpp>
@@ -88,13 +89,10 @@ class RTree {
   }
 
   /// The payload of the first item with exactly this box, or null.
-  Payload* find(const CellBox& box) {
-    const auto place = tree_.find(box);
-    return place ? &payload_of(tree_, *place) : nullptr;
-  }
+  Payload* find(const CellBox& box) { return const_cast<Payload*>(std::as_const(*this).find(box)); }
   const Payload* find(const CellBox& box) const {
-    const auto place = tree_.find(box);
-    return place ? &payload_of(tree_, *place) : nullptr;
+    const std::byte* const payload = tree_.find(box);
+    return payload == nullptr ? nullptr : std::launder(reinterpret_cast<const Payload*>(payload));
   }
 
   /// Drops all items and gives back all memory.

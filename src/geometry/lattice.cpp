@@ -21,6 +21,18 @@ double snapped(double border) {
   return std::abs(border - nearest) <= kSnap ? nearest : border;
 }
 
+// Rounds to the cell that holds the point; false when it is beyond the limits.
+bool round_down(const Vector3d& point_in_cells, Cell& cell) {
+  for (int axis = 0; axis < 3; ++axis) {
+    const double at = point_in_cells[axis];
+    if (!(at >= kMinCellIndex && at < kMaxCellIndex + 1.0)) return false;
+    // Not std::floor, which is a call where nothing is known of the processor.
+    const auto towards_zero = static_cast<std::int32_t>(at);
+    cell[axis] = towards_zero - (at < towards_zero ? 1 : 0);
+  }
+  return true;
+}
+
 }  // namespace
 
 Lattice::Lattice(double resolution) : resolution_(resolution), inverse_(1 / resolution) {
@@ -31,12 +43,8 @@ Lattice::Lattice(double resolution) : resolution_(resolution), inverse_(1 / reso
 }
 
 std::optional<Cell> cell_at(const Vector3d& point_in_cells) {
-  Cell cell;
-  for (int axis = 0; axis < 3; ++axis) {
-    const double index = std::floor(point_in_cells[axis]);
-    if (!(index >= kMinCellIndex && index <= kMaxCellIndex)) return std::nullopt;
-    cell[axis] = static_cast<std::int32_t>(index);
-  }
+  std::optional<Cell> cell(std::in_place);
+  if (!round_down(point_in_cells, *cell)) cell.reset();
   return cell;
 }
 
@@ -45,7 +53,8 @@ std::optional<Cell> Lattice::find_cell(const Vector3d& point) const {
 }
 
 Cell Lattice::cell_of(const Vector3d& point) const {
-  if (const auto cell = find_cell(point)) return *cell;
+  Cell cell;
+  if (round_down(to_cells(point), cell)) return cell;
   if (!point.allFinite()) {
     throw Error(ErrorKind::limit, fmt::format("the point ({}, {}, {}) m is not finite", point.x(),
                                               point.y(), point.z()));

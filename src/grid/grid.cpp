@@ -36,6 +36,18 @@ void Grid::Implementation::count_new_cells(std::uint32_t cells) {
   if (cells > 0 && !scan_poses.empty()) history = History::first_hit;
 }
 
+std::uint32_t Grid::Implementation::note_new_cells(LeafId id, const Cell& origin,
+                                                   const CellMask& cells, Value value) {
+  const std::uint32_t count = cells.count();
+  if (count == 0) return 0;
+  store->set_stamp(id, log.stamp());
+  count_new_cells(count);
+  if (log.tracks_flips() && rule.occupied(value)) {
+    cells.for_each([&](BlockPosition at) { log.flipped(origin + block_offset(at)); });
+  }
+  return count;
+}
+
 Grid::Grid(const Options& options) : implementation_(std::make_unique<Implementation>(options)) {}
 Grid::Grid(const Grid& other)
     : implementation_(std::make_unique<Implementation>(*other.implementation_)) {}

@@ -9,6 +9,7 @@
 #include "grid/parallel.hpp"
 #include "grid/scan_beams.hpp"
 
+#include <algorithm>
 #include <numeric>
 
 #include <rmap/grid.hpp>
@@ -27,6 +28,8 @@ class Grid::Implementation {
   void begin_mutation();
   /// Notes that cells appeared in a leaf.
   void count_new_cells(std::uint32_t cells);
+  /// The same of cells that a scan made with `value`; returns how many.
+  std::uint32_t note_new_cells(LeafId id, const Cell& origin, const CellMask& cells, Value value);
 
   /// Replaces the value of each cell in `cells`, all of which the leaf has, by
   /// change(cell, value); notes what changed and returns how many values did.
@@ -44,8 +47,10 @@ class Grid::Implementation {
   /// Makes cells of existing leaves exist, new ones with `value`; note(id, origin, new cells).
   template <class Note>
   void add_missing(std::span<const MarkedLeaf> leaves, Value value, const Note& note);
-  /// Makes leaves that do not exist, in an order of its own, and sets their ids.
-  void enter_missing(std::vector<MarkedLeaf>& leaves, Value value);
+  /// Makes leaves that do not exist, with `value` in their cells, and sets their ids; notes as
+  /// above. They are sorted first: the R-tree grows alike whatever the order of the points.
+  template <class Note>
+  void enter_missing(std::vector<MarkedLeaf>& leaves, Value value, const Note& note);
 
   /// What the beams of a scan did.
   struct Updates {
@@ -93,6 +98,16 @@ void Grid::Implementation::add_missing(std::span<const MarkedLeaf> leaves, Value
     const auto& [id, origin, cells] = leaves[i];
     note(id, origin, store->add_missing(id, cells, value));
   }
+}
+
+template <class Note>
+void Grid::Implementation::enter_missing(std::vector<MarkedLeaf>& leaves, Value value,
+                                         const Note& note) {
+  std::sort(leaves.begin(), leaves.end(), [](const MarkedLeaf& a, const MarkedLeaf& b) {
+    return morton_less(a.origin, b.origin);
+  });
+  store->add_leaves(leaves, value);
+  for (const MarkedLeaf& leaf : leaves) note(leaf.id, leaf.origin, leaf.cells);
 }
 
 template <class Change>

@@ -5,8 +5,6 @@
 #include "grid/missed_cells.hpp"
 #include "grid/scan_beams.hpp"
 
-#include <algorithm>
-
 namespace rmap {
 
 namespace {
@@ -44,26 +42,13 @@ Grid::Implementation::Ensured Grid::Implementation::ensure(const BlockMarks& cel
     }
   });
 
-  const auto note_new = [&](LeafId id, const Cell&, const CellMask& created) {
-    const std::uint32_t new_cells = created.count();
-    if (new_cells == 0) return;
-    ensured.new_cells += new_cells;
-    store->set_stamp(id, log.stamp());
-    count_new_cells(new_cells);
+  const auto note = [&](LeafId id, const Cell& origin, const CellMask& created) {
+    ensured.new_cells += note_new_cells(id, origin, created, rule.prior());
   };
-  add_missing(ensured.leaves, rule.prior(), note_new);
-  enter_missing(missing, rule.prior());
-  for (const MarkedLeaf& leaf : missing) note_new(leaf.id, leaf.origin, leaf.cells);
+  add_missing(ensured.leaves, rule.prior(), note);
+  enter_missing(missing, rule.prior(), note);
   ensured.leaves.insert(ensured.leaves.end(), missing.begin(), missing.end());
   return ensured;
-}
-
-void Grid::Implementation::enter_missing(std::vector<MarkedLeaf>& leaves, Value value) {
-  // In Morton order the R-tree grows alike whatever the order of the points.
-  std::sort(leaves.begin(), leaves.end(), [](const MarkedLeaf& a, const MarkedLeaf& b) {
-    return morton_less(a.origin, b.origin);
-  });
-  store->add_leaves(leaves, value);
 }
 
 Grid::Implementation::Updates Grid::Implementation::insert_by_marks(

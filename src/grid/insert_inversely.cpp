@@ -2,7 +2,7 @@
 #include "grid/implementation.hpp"
 #include "grid/inverse/cast.hpp"
 
-#include <algorithm>
+#include <vector>
 
 namespace rmap {
 
@@ -46,36 +46,30 @@ Grid::Implementation::Updates Grid::Implementation::insert_inversely(const ScanB
 
   Updates updates;
   const Value first_hit = rule.hit(rule.prior());
-  const auto note_new = [&](LeafId id, const Cell& origin, const CellMask& cells) {
-    const std::uint32_t count = cells.count();
-    if (count == 0) return;
-    store->set_stamp(id, log.stamp());
-    count_new_cells(count);
+  const auto note = [&](LeafId id, const Cell& origin, const CellMask& created) {
+    const std::uint32_t count = note_new_cells(id, origin, created, first_hit);
     updates.new_cells += count;
-    if (first_hit != rule.prior()) updates.hits += count;
-    if (!log.tracks_flips() || !rule.occupied(first_hit)) return;
-    cells.for_each([&](BlockPosition at) { log.flipped(origin + block_offset(at)); });
+    updates.hits += first_hit != rule.prior() ? count : 0;
   };
+  EndLeaves::Rest rest(end_leaves);
   for (const Share& share : shares) {
     updates.hits += share.hits;
     updates.misses += share.misses;
-    add_missing(share.grown, first_hit, note_new);
+    add_missing(share.grown, first_hit, note);
+    rest.take(share.met);
   }
-  EndLeaves::Rest rest(end_leaves);
-  for (const Share& share : shares) rest.take(share.met);
   std::vector<MarkedLeaf> missing;
   rest.for_each([&](const Cell& origin, const CellMask& cells) {
     if (const auto id = store->find(origin)) {
       // Out of view: beams without a direction end there.
       const CellMask created = store->add_missing(*id, cells, first_hit);
       updates.hits += update(*id, origin, cells.without(created), {}, hit);
-      note_new(*id, origin, created);
+      note(*id, origin, created);
     } else {
       missing.push_back({0, origin, cells});
     }
   });
-  enter_missing(missing, first_hit);
-  for (const MarkedLeaf& leaf : missing) note_new(leaf.id, leaf.origin, leaf.cells);
+  enter_missing(missing, first_hit, note);
   return updates;
 }
 

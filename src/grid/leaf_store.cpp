@@ -65,9 +65,8 @@ std::optional<LeafId> LeafStore::find(const Cell& origin) const {
 
 const Value* LeafStore::find_value(const Cell& cell) const {
   const Cell origin = origin_of(cell);
-  const auto id = find(origin);
-  if (!id) return nullptr;
-  return leaf(*id, origin).find(cell);
+  const LeafId* id = tree_.find(leaf_box(origin));
+  return id == nullptr ? nullptr : leaf(*id, origin).find(cell);
 }
 
 bool LeafStore::visit(const CellBox& region, FunctionRef<bool(LeafId, const Leaf&)> visit) const {

@@ -88,8 +88,10 @@ class PointKernel {
 };
 
 std::uint64_t bits_of(PointKernel::Bools mask) {
-  std::uint64_t bits = 0;
-  hn::StoreMaskBits(PointKernel::Doubles(), mask, reinterpret_cast<std::uint8_t*>(&bits));
+  const PointKernel::Doubles d;
+  static_assert(hn::MaxLanes(d) <= 8, "one byte, read as it was stored: wider would wait for it");
+  std::uint8_t bits = 0;
+  hn::StoreMaskBits(d, mask, &bits);
   return bits;
 }
 

@@ -1,5 +1,8 @@
 #include "rtree/node_tests.hpp"
 
+#include <bit>
+#include <type_traits>
+
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "rtree/node_tests.cpp"
 #include <hwy/foreach_target.h>
@@ -37,11 +40,13 @@ struct EqualTo {
   }
 };
 
+// Read with the width with which they were stored: other widths would wait for the store.
 template <class D>
 std::uint64_t bits_of(D d, hn::Mask<D> mask) {
-  std::uint64_t bits = 0;
-  hn::StoreMaskBits(d, mask, reinterpret_cast<std::uint8_t*>(&bits));
-  return bits;
+  using Bits = std::conditional_t<(hn::MaxLanes(D()) > 8), std::uint16_t, std::uint8_t>;
+  std::array<std::uint8_t, sizeof(Bits)> bytes{};
+  hn::StoreMaskBits(d, mask, bytes.data());
+  return std::bit_cast<Bits>(bytes);
 }
 
 // Walks the branches from `first` on by vectors of at most kLanes, as long as these stay in the
@@ -85,6 +90,23 @@ std::uint64_t enclosing(const BranchColumns& columns, const CellBox& box) {
 }
 std::uint64_t equal_to(const BranchColumns& columns, const CellBox& box) {
   return related<EqualTo>(columns, box);
+}
+
+// Stays within one set of instructions: to choose it anew at each node would cost more than the
+// node does.
+ItemPlace find_item(const NodePool& inner, const NodePool& leaves, std::uint32_t node, int level,
+                    const CellBox& box) {
+  if (level == 0) {
+    const std::uint64_t equal = equal_to(leaves.columns(node), box);
+    return equal == 0 ? ItemPlace{NodePool::kNone, 0} : ItemPlace{node, std::countr_zero(equal)};
+  }
+  std::uint64_t left = enclosing(inner.columns(node), box);
+  for (; left != 0; left &= left - 1) {
+    const std::uint32_t child = inner.child(node, std::countr_zero(left));
+    const ItemPlace found = find_item(inner, leaves, child, level - 1, box);
+    if (found.leaf != NodePool::kNone) return found;
+  }
+  return {NodePool::kNone, 0};
 }
 
 // The branches between whose planes the beam runs for a while, with the parameters at which it
@@ -159,6 +181,7 @@ HWY_EXPORT(overlapping);
 HWY_EXPORT(contained_in);
 HWY_EXPORT(enclosing);
 HWY_EXPORT(equal_to);
+HWY_EXPORT(find_item);
 HWY_EXPORT(crossed);
 HWY_EXPORT(may_cross);
 
@@ -173,6 +196,10 @@ std::uint64_t enclosing(const BranchColumns& columns, const CellBox& box) {
 }
 std::uint64_t equal_to(const BranchColumns& columns, const CellBox& box) {
   return HWY_DYNAMIC_DISPATCH(equal_to)(columns, box);
+}
+ItemPlace find_item(const NodePool& inner, const NodePool& leaves, std::uint32_t node, int level,
+                    const CellBox& box) {
+  return HWY_DYNAMIC_DISPATCH(find_item)(inner, leaves, node, level, box);
 }
 std::uint64_t crossed(const BranchColumns& columns, const Beam& beam, Measures& enter) {
   return HWY_DYNAMIC_DISPATCH(crossed)(columns, beam, enter);

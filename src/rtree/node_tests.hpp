@@ -28,6 +28,14 @@ std::uint64_t contained_in(const BranchColumns& columns, const CellBox& region);
 std::uint64_t enclosing(const BranchColumns& columns, const CellBox& box);
 /// Branches with exactly this box.
 std::uint64_t equal_to(const BranchColumns& columns, const CellBox& box);
+/// The first item with exactly `box` at or below a node of a level, the leaf NodePool::kNone when
+/// there is none: the search that asks the two above node by node.
+struct ItemPlace {
+  std::uint32_t leaf;
+  int branch;
+};
+ItemPlace find_item(const NodePool& inner, const NodePool& leaves, std::uint32_t node, int level,
+                    const CellBox& box);
 /// Branches that `beam` crosses, with their parameters of entry: for each branch
 /// bit for bit crossing(beam, box). Since t(k) is monotone, an MBRC is crossed
 /// whenever a box in it is, and entered no later.

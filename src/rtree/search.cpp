@@ -46,22 +46,6 @@ bool descend_from(const BoxTree& tree, const BoxTree::Subtree& from, BoxTree::En
   return true;
 }
 
-std::optional<BoxTree::Place> find_below(const BoxTree& tree, std::uint32_t node, int level,
-                                         const CellBox& box) {
-  const NodePool& pool = tree.nodes(level);
-  if (level == 0) {
-    const std::uint64_t equal = node_tests::equal_to(pool.columns(node), box);
-    if (equal == 0) return std::nullopt;
-    return BoxTree::Place{node, std::countr_zero(equal)};
-  }
-  std::uint64_t enclosing = node_tests::enclosing(pool.columns(node), box);
-  for (; enclosing != 0; enclosing &= enclosing - 1) {
-    const std::uint32_t child = pool.child(node, std::countr_zero(enclosing));
-    if (const auto found = find_below(tree, child, level - 1, box)) return found;
-  }
-  return std::nullopt;
-}
-
 /// A search for what a beam crosses before a limit that falls as things are found.
 class LimitedSearch {
  public:
@@ -107,9 +91,10 @@ class LimitedSearch {
 
 }  // namespace
 
-std::optional<BoxTree::Place> BoxTree::find(const CellBox& box) const {
-  if (height_ == 0) return std::nullopt;
-  return find_below(*this, root_, height_ - 1, box);
+const std::byte* BoxTree::find(const CellBox& box) const {
+  if (height_ == 0) return nullptr;
+  const auto [leaf, branch] = node_tests::find_item(inner_, leaves_, root_, height_ - 1, box);
+  return leaf == NodePool::kNone ? nullptr : leaves_.content(leaf, branch);
 }
 
 bool BoxTree::for_each(Visit visit) const {

@@ -56,7 +56,8 @@ class BoxTree {
   void insert(const CellBox& box, const std::byte* payload);
   /// Erases the first item with exactly this box that `match` accepts.
   bool erase(const CellBox& box, Match match);
-  std::optional<Place> find(const CellBox& box) const;
+  /// The payload of the first item with exactly this box, or null.
+  const std::byte* find(const CellBox& box) const;
   void clear();
 
   /// Replaces the content by items 0, 1, ... in full nodes; `payload_of(i)` is read once each.

@@ -62,9 +62,11 @@ AxisPlanes planes_of(std::int32_t first, double origin, std::int32_t origin_laye
     hn::Store(hn::Sub(low, tiny), d, planes.low.data() + i);
     hn::Store(hn::Add(high, tiny), d, planes.high.data() + i);
   }
-  const std::int32_t own = origin_layer - first;
-  const auto above = static_cast<std::size_t>(std::clamp<std::int32_t>(own + 1, 0, kBlockEdge));
-  const auto below = static_cast<std::size_t>(std::clamp<std::int32_t>(own, 0, kBlockEdge));
+  const auto layers_to = [&](std::int64_t layer) {
+    return static_cast<std::size_t>(std::clamp<std::int64_t>(layer - first, 0, kBlockEdge));
+  };
+  const std::size_t below = layers_to(origin_layer);
+  const std::size_t above = layers_to(std::int64_t{origin_layer} + 1);
   for (std::size_t i = 0; i < below; ++i) {
     std::swap(planes.near[i], planes.far[i]);
     planes.near[i] = std::min(planes.near[i], -kLeast);
