@@ -42,9 +42,12 @@ class EndLeaves {
       for (const BlockMarks::Block& block : all.ends_.blocks()) left_.push_back(block.cells);
     }
     void take(std::span<const Met> leaves) {
-      const bool whole_blocks = all_.store_.edge() == kBlockEdge;
       for (const Met& met : leaves) {
-        whole_blocks ? void(left_[met.block] = {}) : left_[met.block].reset(met.position);
+        if (all_.store_.edge() == kBlockEdge) {
+          left_[met.block] = {};
+        } else {
+          left_[met.block].reset(met.position);
+        }
       }
     }
     /// use(origin, cells) for the leaves that are left.

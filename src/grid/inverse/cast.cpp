@@ -54,7 +54,11 @@ Cast::Cast(const LeafStore& store, const ScanBeams& beams, const BeamIndex& inde
 }
 
 void Cast::run(HitIn hit_in, Crossed crossed) const {
-  store_.edge() == kBlockEdge ? run_by_block(hit_in, crossed) : run_by_cell(hit_in, crossed);
+  if (store_.edge() == kBlockEdge) {
+    run_by_block(hit_in, crossed);
+  } else {
+    run_by_cell(hit_in, crossed);
+  }
 }
 
 bool Cast::may_enter(const CellBox& box) const {

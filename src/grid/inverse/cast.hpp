@@ -35,9 +35,6 @@ class Cast {
   void run(HitIn hit_in, Crossed crossed) const;
 
  private:
-  struct Asked;
-  struct AskedCells;
-
   bool may_enter(const CellBox& box) const;
   CellMask crossed_in(const Cell& block, const CellMask& asked) const;
   template <class Use>

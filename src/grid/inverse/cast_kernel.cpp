@@ -193,7 +193,8 @@ class BlockCaster {
   }
 
   void add_row(std::size_t row, const cube_map::Bins& u, BlockPosition position) {
-    const auto border = static_cast<std::size_t>(beams_.row_borders[row] + u.first);
+    const std::size_t border =
+        static_cast<std::size_t>(beams_.row_borders[row]) + static_cast<std::size_t>(u.first);
     hwy::Prefetch(beams_.borders + border);
     rows_[row_count_++] = {static_cast<std::uint32_t>(border),
                            static_cast<std::uint32_t>(u.last + 1 - u.first), position};
