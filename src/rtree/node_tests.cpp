@@ -170,6 +170,26 @@ std::uint64_t may_cross(const BranchColumns& columns, const Beam& beam, const Ve
       [&](auto d, auto left) { return hn::Mul(left, hn::Set(d, 1 + kWiden)); });
 }
 
+void enlargements(const BranchColumns& columns, const CellBox& box, Measures& volume,
+                  Measures& enlargement) {
+  by_vectors<double, 8>(columns, 0, [&](auto d, std::size_t first) {
+    const hn::Rebind<std::int32_t, decltype(d)> di;
+    auto own = hn::Set(d, 1.0);
+    auto united = hn::Set(d, 1.0);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const auto at = static_cast<int>(axis);
+      const auto from = hn::LoadU(di, columns.min[axis] + first);
+      const auto to = hn::Add(hn::LoadU(di, columns.max[axis] + first), hn::Set(di, columns.added));
+      const auto low = hn::Min(from, hn::Set(di, box.min[at]));
+      const auto high = hn::Max(to, hn::Set(di, box.max[at]));
+      own = hn::Mul(own, hn::Sub(hn::PromoteTo(d, to), hn::PromoteTo(d, from)));
+      united = hn::Mul(united, hn::Sub(hn::PromoteTo(d, high), hn::PromoteTo(d, low)));
+    }
+    hn::StoreU(own, d, volume.data() + first);
+    hn::StoreU(hn::Sub(united, own), d, enlargement.data() + first);
+  });
+}
+
 }  // namespace HWY_NAMESPACE
 }  // namespace rmap::node_tests
 HWY_AFTER_NAMESPACE();
@@ -184,6 +204,7 @@ HWY_EXPORT(equal_to);
 HWY_EXPORT(find_item);
 HWY_EXPORT(crossed);
 HWY_EXPORT(may_cross);
+HWY_EXPORT(enlargements);
 
 std::uint64_t overlapping(const BranchColumns& columns, const CellBox& region) {
   return HWY_DYNAMIC_DISPATCH(overlapping)(columns, region);
@@ -208,13 +229,16 @@ std::uint64_t may_cross(const BranchColumns& columns, const Beam& beam, const Ve
                         Measures& enter) {
   return HWY_DYNAMIC_DISPATCH(may_cross)(columns, beam, inverse, enter);
 }
+void enlargements(const BranchColumns& columns, const CellBox& box, Measures& volume,
+                  Measures& enlargement) {
+  HWY_DYNAMIC_DISPATCH(enlargements)(columns, box, volume, enlargement);
+}
 
 namespace {
 
 // A ternary, and not std::max of references, is what becomes a vector instruction; the same value
-// as std::max(a, b) and std::min(a, b), signed zeros included.
+// as std::max(a, b), signed zeros included.
 double larger(double a, double b) { return a < b ? b : a; }
-double smaller(double a, double b) { return b < a ? b : a; }
 
 }  // namespace
 
@@ -231,27 +255,6 @@ void squared_distances(const BranchColumns& columns, const Vector3d& point, Meas
       squared[i] = axis == 0 ? outside * outside : squared[i] + outside * outside;
     }
   }
-}
-
-void enlargements(const BranchColumns& columns, const CellBox& box, Measures& volume,
-                  Measures& enlargement) {
-  const auto count = static_cast<std::size_t>(columns.count);
-  Measures united_volume;
-  std::fill_n(volume.begin(), count, 1.0);
-  std::fill_n(united_volume.begin(), count, 1.0);
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    const std::int32_t* min = columns.min[axis];
-    const std::int32_t* max = columns.max[axis];
-    const double low = box.min[static_cast<int>(axis)];
-    const double high = box.max[static_cast<int>(axis)];
-    for (std::size_t i = 0; i < count; ++i) {
-      const double from = min[i];
-      const double to = max[i] + columns.added;
-      volume[i] *= to - from;
-      united_volume[i] *= larger(to, high) - smaller(from, low);
-    }
-  }
-  for (std::size_t i = 0; i < count; ++i) enlargement[i] = united_volume[i] - volume[i];
 }
 
 }  // namespace rmap::node_tests

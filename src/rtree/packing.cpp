@@ -27,39 +27,68 @@ std::size_t root_above(std::size_t value, int power) {
   return root;
 }
 
+struct TileItem {
+  Center center;
+  std::uint32_t index;
+};
+
 class SortTileRecursive {
  public:
-  SortTileRecursive(std::span<const CellBox> boxes, std::size_t run) : run_(run) {
-    centers_.reserve(boxes.size());
-    for (const CellBox& box : boxes) centers_.push_back(center_of(box));
-  }
+  explicit SortTileRecursive(std::size_t run) : run_(run) {}
 
-  /// Sorts `part` along `axis`, cuts it into slabs of whole runs, and orders each along the rest.
-  void order(std::span<std::uint32_t> part, std::size_t axis) const {
-    std::sort(part.begin(), part.end(),
-              [&](std::uint32_t a, std::uint32_t b) { return less(a, b, axis); });
-    if (axis == 2) return;
+  /// Cuts `part` along `axis` into slabs of whole runs, and orders each along the rest; within a
+  /// run items follow the last axis.
+  void order(std::span<TileItem> part, std::size_t axis) const {
     const std::size_t runs = (part.size() + run_ - 1) / run_;
-    const std::size_t slabs = root_above(runs, 3 - static_cast<int>(axis));
-    const std::size_t slab = (runs + slabs - 1) / slabs * run_;
+    const std::size_t slabs = axis == 2 ? runs : root_above(runs, 3 - static_cast<int>(axis));
+    const std::size_t slab = slabs == 0 ? run_ : (runs + slabs - 1) / slabs * run_;
+    cut(part, slab, axis);
     for (std::size_t first = 0; first < part.size(); first += slab) {
-      order(part.subspan(first, std::min(slab, part.size() - first)), axis + 1);
+      const std::span<TileItem> one = part.subspan(first, std::min(slab, part.size() - first));
+      if (axis < 2) {
+        order(one, axis + 1);
+      } else {
+        std::sort(one.begin(), one.end(), Less{axis});
+      }
     }
   }
 
  private:
   // On a lattice many centres are equal on one axis: there the other axes keep neighbours together.
-  bool less(std::uint32_t a, std::uint32_t b, std::size_t axis) const {
-    for (std::size_t i = 0; i < 3; ++i) {
-      const std::size_t next = (axis + i) % 3;
-      if (centers_[a][next] != centers_[b][next]) return centers_[a][next] < centers_[b][next];
+  struct Less {
+    std::size_t axis;
+    bool operator()(const TileItem& a, const TileItem& b) const {
+      for (std::size_t i = 0; i < 3; ++i) {
+        const std::size_t next = (axis + i) % 3;
+        if (a.center[next] != b.center[next]) return a.center[next] < b.center[next];
+      }
+      return a.index < b.index;
     }
-    return a < b;
+  };
+
+  // Slabs as in the sorted part, each in some order: by halves, which costs less than to sort.
+  static void cut(std::span<TileItem> part, std::size_t slab, std::size_t axis) {
+    if (part.size() <= slab) return;
+    const std::size_t slabs = (part.size() + slab - 1) / slab;
+    const std::size_t half = slabs / 2 * slab;
+    std::nth_element(part.begin(), part.begin() + static_cast<std::ptrdiff_t>(half), part.end(),
+                     Less{axis});
+    cut(part.first(half), slab, axis);
+    cut(part.subspan(half), slab, axis);
   }
 
-  std::vector<Center> centers_;
   std::size_t run_;
 };
+
+void order_by_tiles(std::span<const CellBox> boxes, std::size_t run,
+                    std::span<std::uint32_t> order) {
+  std::vector<TileItem> items;
+  items.reserve(boxes.size());
+  for (const std::uint32_t index : order) items.push_back({center_of(boxes[index]), index});
+  SortTileRecursive(run).order(items, 0);
+  std::transform(items.begin(), items.end(), order.begin(),
+                 [](const TileItem& item) { return item.index; });
+}
 
 struct HilbertItem {
   HilbertPlace place;
@@ -93,7 +122,7 @@ std::vector<std::uint32_t> packed_order(std::span<const CellBox> boxes, std::siz
   if (packing == Packing::hilbert) {
     order_by_hilbert(boxes, order);
   } else {
-    SortTileRecursive(boxes, run).order(order, 0);
+    order_by_tiles(boxes, run, order);
   }
   return order;
 }

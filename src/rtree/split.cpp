@@ -80,6 +80,8 @@ class Distribution {
       if (i == seeds.first || i == seeds.second) continue;
       left_[left_count_++] = i;
     }
+    measure(0);
+    measure(1);
   }
 
   bool done() const { return left_count_ == 0; }
@@ -104,8 +106,8 @@ class Distribution {
     std::size_t best = 0;
     double most = kLowest;
     for (std::size_t position = 0; position < left_count_; ++position) {
-      const CellBox& box = boxes_[left_[position]];
-      const double preference = std::abs(enlargement(0, box) - enlargement(1, box));
+      const std::size_t box = left_[position];
+      const double preference = std::abs(enlargement_[0][box] - enlargement_[1][box]);
       if (preference > most) {
         most = preference;
         best = position;
@@ -117,7 +119,7 @@ class Distribution {
   /// Gives the box to the group that it enlarges less; ties: the smaller, then the one with fewer.
   void give(std::size_t position) {
     const std::size_t box = left_[position];
-    const int group = preferred(boxes_[box]);
+    const int group = preferred(box);
     partition_[box] = group == 1;
     Group& chosen = groups_[static_cast<std::size_t>(group)];
     chosen.bounds = united(chosen.bounds, boxes_[box]);
@@ -127,6 +129,7 @@ class Distribution {
               left_.begin() + static_cast<std::ptrdiff_t>(left_count_),
               left_.begin() + static_cast<std::ptrdiff_t>(position));
     --left_count_;
+    measure(group);
   }
 
  private:
@@ -137,12 +140,17 @@ class Distribution {
   };
 
   const Group& at(int group) const { return groups_[static_cast<std::size_t>(group)]; }
-  double enlargement(int group, const CellBox& box) const {
-    return volume_of(united(at(group).bounds, box)) - at(group).volume;
+  /// How much the group would grow to hold each box that is left.
+  void measure(int group) {
+    for (std::size_t position = 0; position < left_count_; ++position) {
+      const std::size_t box = left_[position];
+      enlargement_[static_cast<std::size_t>(group)][box] =
+          volume_of(united(at(group).bounds, boxes_[box])) - at(group).volume;
+    }
   }
-  int preferred(const CellBox& box) const {
-    const double first = enlargement(0, box);
-    const double second = enlargement(1, box);
+  int preferred(std::size_t box) const {
+    const double first = enlargement_[0][box];
+    const double second = enlargement_[1][box];
     if (first != second) return first < second ? 0 : 1;
     if (at(0).volume != at(1).volume) return at(0).volume < at(1).volume ? 0 : 1;
     return at(0).count <= at(1).count ? 0 : 1;
@@ -150,6 +158,7 @@ class Distribution {
 
   std::span<const CellBox> boxes_;
   std::array<Group, 2> groups_;
+  std::array<std::array<double, kMaxBranches + 1>, 2> enlargement_;  // by group and box
   std::array<std::size_t, kMaxBranches + 1> left_;
   std::size_t left_count_ = 0;
   Partition partition_{};
