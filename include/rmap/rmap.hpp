@@ -2,6 +2,7 @@
 
 /// The whole library, for programs. Its own parts name the headers that they need.
 
+#include <rmap/approximate.hpp>
 #include <rmap/beam.hpp>
 #include <rmap/block.hpp>
 #include <rmap/box.hpp>
@@ -12,7 +13,12 @@
 #include <rmap/cells.hpp>
 #include <rmap/changes.hpp>
 #include <rmap/compare.hpp>
+#include <rmap/counted_cells.hpp>
 #include <rmap/crop.hpp>
+#include <rmap/cuboid_bound.hpp>
+#include <rmap/cuboid_error.hpp>
+#include <rmap/cuboid_frame.hpp>
+#include <rmap/cuboids.hpp>
 #include <rmap/error.hpp>
 #include <rmap/function_ref.hpp>
 #include <rmap/grid.hpp>
@@ -20,8 +26,10 @@
 #include <rmap/leaf.hpp>
 #include <rmap/map_file.hpp>
 #include <rmap/multiresolution.hpp>
+#include <rmap/octomap_file.hpp>
 #include <rmap/options.hpp>
 #include <rmap/packed_block.hpp>
+#include <rmap/packed_cuboids.hpp>
 #include <rmap/pose.hpp>
 #include <rmap/report.hpp>
 #include <rmap/rtree.hpp>

@@ -1,0 +1,19 @@
+#pragma once
+
+#include "approximation/bit_grid.hpp"
+
+#include <vector>
+
+namespace rmap {
+
+/// Few boxes inside `allowed` such that each cell of `required`, a subset of it, lies in one, or
+/// at most `inner` cells (Chebyshev) from one. Boxes may overlap. `required` stands empty
+/// afterwards. The same for the same sets, always.
+///
+/// A largest box from each cell that is not covered yet, in scan order; then boxes without a cell
+/// of their own are dropped; then each box is moved, in two passes, to where its neighbours need
+/// it least, so that some of those can be dropped. docs/decisions/006 has the figures.
+std::vector<CellBox> cover(const BitGrid& allowed, BitGrid& required, int inner,
+                           bool reshape = true);
+
+}  // namespace rmap

@@ -1,0 +1,114 @@
+#include "approximation/cover_tiles.hpp"
+
+#include "approximation/cover.hpp"
+#include "approximation/dense_region.hpp"
+#include "approximation/task_order.hpp"
+
+#include <algorithm>
+#include <cstdint>
+#include <map>
+#include <tuple>
+
+namespace rmap {
+
+namespace {
+
+struct Tile {
+  Cell place;    ///< in tiles from the lowest on
+  CellBox home;  ///< no larger than its cells need
+};
+
+class TileCover {
+ public:
+  TileCover(const CellBlocks& cells, const CoverLimits& limits, const Tiling& tiling)
+      : cells_(cells), limits_(limits), tiling_(tiling), done_(cells.size(), 0) {
+    find_tiles();
+    boxes_.resize(tiles_.size());
+  }
+
+  std::vector<CellBox> run(int threads) {
+    run_in_order(threads, before(), [&](std::size_t tile) { cover_tile(tile); });
+    std::vector<CellBox> all;
+    for (const auto& boxes : boxes_) all.insert(all.end(), boxes.begin(), boxes.end());
+    return all;
+  }
+
+ private:
+  void find_tiles();
+  std::vector<std::vector<std::size_t>> before() const;
+  void cover_tile(std::size_t index);
+
+  const CellBlocks& cells_;
+  const CoverLimits& limits_;
+  const Tiling& tiling_;
+  std::vector<Tile> tiles_;
+  std::vector<std::uint8_t> done_;  // by cell; a tile touches those of its own and of its halo
+  std::vector<std::vector<CellBox>> boxes_;
+};
+
+// Tiles that touch follow one another by the parity of their places, so that many do not wait.
+void TileCover::find_tiles() {
+  const auto key = [](const Cell& place) {
+    const int parity = (place.x() & 1) | (place.y() & 1) << 1 | (place.z() & 1) << 2;
+    return std::tuple(parity, place.z(), place.y(), place.x());
+  };
+  const auto before = [&](const Cell& a, const Cell& b) { return key(a) < key(b); };
+  std::map<Cell, CellBox, decltype(before)> homes(before);
+  const Cell origin = cells_.bounds().min;
+  auto tile = homes.end();
+  cells_.for_each(cells_.bounds(), [&](const Cell& cell, std::size_t) {
+    const Cell place = (cell - origin) / tiling_.edge;
+    if (tile == homes.end() || tile->first != place) {
+      tile = homes.try_emplace(place, box_of(cell)).first;
+    }
+    tile->second = united(tile->second, box_of(cell));
+  });
+  for (const auto& [place, home] : homes) tiles_.push_back({place, home});
+}
+
+std::vector<std::vector<std::size_t>> TileCover::before() const {
+  std::vector<std::vector<std::size_t>> before(tiles_.size());
+  for (std::size_t i = 0; i < tiles_.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      const Cell apart = (tiles_[i].place - tiles_[j].place).cwiseAbs();
+      if (apart.maxCoeff() <= 1) before[i].push_back(j);
+    }
+  }
+  return before;
+}
+
+void TileCover::cover_tile(std::size_t index) {
+  const CellBox& home = tiles_[index].home;
+  const CellBox region = intersection({.min = (home.min.array() - tiling_.halo).matrix(),
+                                       .max = (home.max.array() + tiling_.halo).matrix()},
+                                      cells_.bounds());
+  const DenseRegion dense(cells_, region, limits_);
+  BitGrid required = dense.none();
+  cells_.for_each(home, [&](const Cell& cell, std::size_t number) {
+    if (done_[number] == 0) required.set(dense.to_local(cell));
+  });
+  for (const CellBox& box : cover(dense.allowed(), required, limits_.inner, limits_.reshape)) {
+    boxes_[index].push_back(dense.to_map(box));
+    const CellBox covered{.min = (boxes_[index].back().min.array() - limits_.inner).matrix(),
+                          .max = (boxes_[index].back().max.array() + limits_.inner).matrix()};
+    cells_.for_each(intersection(covered, region),
+                    [&](const Cell&, std::size_t number) { done_[number] = 1; });
+  }
+}
+
+}  // namespace
+
+std::vector<CellBox> cover_by_tiles(const CellBlocks& cells, const CoverLimits& limits, int threads,
+                                    const Tiling& tiling) {
+  if (cells.size() == 0) return {};
+  Tiling used = tiling;
+  const auto extent = cells.bounds().extent();
+  if (static_cast<double>(extent.x()) * static_cast<double>(extent.y()) *
+          static_cast<double>(extent.z()) <=
+      static_cast<double>(tiling.whole)) {
+    used.edge = static_cast<std::int32_t>(extent.maxCoeff());
+  }
+  return TileCover(cells, limits, used).run(threads);
+}
+
+}  // namespace rmap
