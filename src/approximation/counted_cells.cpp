@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <limits>
 
-#include <rmap/cells.hpp>
+#include <rmap/leaf.hpp>
 #include <rmap/counted_cells.hpp>
 
 namespace rmap {
@@ -84,8 +84,10 @@ std::vector<CountedCell> sorted_cells(std::vector<CountedCell> cells) {
 
 std::vector<CountedCell> occupied_cells(const Grid& grid) {
   std::vector<CountedCell> cells;
-  for_each_cell(grid, {.occupied_only = true}, [&](const Cell& cell, Value) {
-    cells.push_back({cell, 1});
+  grid.visit_leaves(all_cells(), [&](const Leaf& leaf) {
+    leaf.for_each([&](const Cell& cell, Value value) {
+      if (grid.rule().occupied(value)) cells.push_back({cell, 1});
+    });
     return true;
   });
   sort_by_scan(cells);
