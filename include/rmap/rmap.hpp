@@ -18,6 +18,7 @@
 #include <rmap/cuboid_bound.hpp>
 #include <rmap/cuboid_error.hpp>
 #include <rmap/cuboid_frame.hpp>
+#include <rmap/cuboid_map.hpp>
 #include <rmap/cuboids.hpp>
 #include <rmap/error.hpp>
 #include <rmap/function_ref.hpp>

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "approximation/block_walk.hpp"
 #include "grid/cell_places.hpp"
 
 #include <cstdint>
@@ -18,18 +19,25 @@ class BoxBuckets {
 
  public:
   void add(std::uint32_t number, const CellBox& box) {
-    for_each_place(box, [&](const Cell& origin) { buckets_[bucket(origin)].push_back(number); });
+    for_each_block_of(box, [&](const Cell& origin) {
+      buckets_[bucket(origin)].push_back(number);
+      return true;
+    });
   }
   void remove(std::uint32_t number, const CellBox& box) {
-    for_each_place(box, [&](const Cell& origin) { std::erase(buckets_[bucket(origin)], number); });
+    for_each_block_of(box, [&](const Cell& origin) {
+      std::erase(buckets_[bucket(origin)], number);
+      return true;
+    });
   }
   /// use(number) for each box in a bucket that `region` touches: once for each such bucket.
   template <class Use>
   void for_each_near(const CellBox& region, const Use& use) const {
-    for_each_place(region, [&](const Cell& origin) {
-      const auto place = places_.find(origin, cell_of());
-      if (!place) return;
-      for (const std::uint32_t number : buckets_[*place]) use(number);
+    for_each_block_of(region, [&](const Cell& origin) {
+      if (const auto place = places_.find(origin, cell_of())) {
+        for (const std::uint32_t number : buckets_[*place]) use(number);
+      }
+      return true;
     });
   }
 
@@ -42,17 +50,6 @@ class BoxBuckets {
     }
     return place;
   }
-  template <class Use>
-  static void for_each_place(const CellBox& box, const Use& use) {
-    const Cell first = block_origin(box.min);
-    Cell at = first;
-    for (at.z() = first.z(); at.z() < box.max.z(); at.z() += kBlockEdge) {
-      for (at.y() = first.y(); at.y() < box.max.y(); at.y() += kBlockEdge) {
-        for (at.x() = first.x(); at.x() < box.max.x(); at.x() += kBlockEdge) use(at);
-      }
-    }
-  }
-
   CellPlaces places_;
   std::vector<Cell> origins_;
   std::vector<std::vector<std::uint32_t>> buckets_;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "approximation/block_walk.hpp"
 #include "grid/cell_places.hpp"
 
 #include <cstddef>
@@ -79,13 +80,6 @@ class CellBlocks {
   CellBox bounds_;
 };
 
-/// The cells of a block that lie in a box which shares one with it.
-inline CellMask positions_in(const Cell& origin, const CellBox& box) {
-  const Cell low = (box.min - origin).cwiseMax(0);
-  const Cell high = (box.max - origin).cwiseMin(kBlockEdge);
-  return CellsBetween(low, high - Cell::Ones()).mask();
-}
-
 template <class Use>
 bool CellBlocks::for_each_block(const CellBox& box, const Use& use) const {
   const CellBox region = intersection(box, bounds_);
@@ -104,15 +98,10 @@ bool CellBlocks::for_each_block(const CellBox& box, const Use& use) const {
     }
     return true;
   }
-  for (Cell at = first; at.z() <= last.z(); at.z() += kBlockEdge) {
-    for (at.y() = first.y(); at.y() <= last.y(); at.y() += kBlockEdge) {
-      for (at.x() = first.x(); at.x() <= last.x(); at.x() += kBlockEdge) {
-        const Block* block = find(at);
-        if (block != nullptr && !visit(*block)) return false;
-      }
-    }
-  }
-  return true;
+  return for_each_block_of(region, [&](const Cell& origin) {
+    const Block* block = find(origin);
+    return block == nullptr || visit(*block);
+  });
 }
 
 }  // namespace rmap

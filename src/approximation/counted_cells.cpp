@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <limits>
 
-#include <rmap/leaf.hpp>
 #include <rmap/counted_cells.hpp>
+#include <rmap/leaf.hpp>
 
 namespace rmap {
 

@@ -24,7 +24,7 @@ class Cover {
   Cover(const BitGrid& allowed, BitGrid& uncovered, int inner)
       : maximal_(allowed), uncovered_(uncovered), inner_(inner), registry_(uncovered.rows(0)) {}
 
-  void seed();
+  void seed(std::span<const CellBox> first);
   void drop_idle();
   void reshape();
   std::vector<CellBox> boxes() const;
@@ -66,7 +66,11 @@ CellBox Cover::best_from(const Cell& seed) {
   return maximal_.grown(best);
 }
 
-void Cover::seed() {
+void Cover::seed(std::span<const CellBox> first) {
+  for (const CellBox& box : first) {
+    boxes_.push_back(box);
+    uncovered_.reset(covered(box));
+  }
   BitRows& rows = uncovered_.rows(0);
   for (std::int32_t z = 0; z < rows.size().z(); ++z) {
     for (std::int32_t y = 0; y < rows.size().y(); ++y) {
@@ -172,11 +176,12 @@ std::vector<CellBox> Cover::boxes() const {
 
 }  // namespace
 
-std::vector<CellBox> cover(const BitGrid& allowed, BitGrid& required, int inner, bool reshape) {
-  Cover cover(allowed, required, inner);
-  cover.seed();
+std::vector<CellBox> cover(const BitGrid& allowed, BitGrid& required, const CoverLimits& limits,
+                           std::span<const CellBox> first) {
+  Cover cover(allowed, required, limits.inner);
+  cover.seed(first);
   cover.drop_idle();
-  if (reshape) cover.reshape();
+  if (limits.reshape) cover.reshape();
   return cover.boxes();
 }
 

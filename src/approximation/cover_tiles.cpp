@@ -82,12 +82,14 @@ void TileCover::cover_tile(std::size_t index) {
   const CellBox region = intersection({.min = (home.min.array() - tiling_.halo).matrix(),
                                        .max = (home.max.array() + tiling_.halo).matrix()},
                                       cells_.bounds());
-  const DenseRegion dense(cells_, region, limits_);
+  std::vector<Cell> places;
+  cells_.for_each(region, [&](const Cell& cell, std::size_t) { places.push_back(cell); });
+  const DenseRegion dense(places, region, limits_);
   BitGrid required = dense.none();
   cells_.for_each(home, [&](const Cell& cell, std::size_t number) {
     if (done_[number] == 0) required.set(dense.to_local(cell));
   });
-  for (const CellBox& box : cover(dense.allowed(), required, limits_.inner, limits_.reshape)) {
+  for (const CellBox& box : cover(dense.allowed(), required, limits_, {})) {
     boxes_[index].push_back(dense.to_map(box));
     const CellBox covered{.min = (boxes_[index].back().min.array() - limits_.inner).matrix(),
                           .max = (boxes_[index].back().max.array() + limits_.inner).matrix()};

@@ -1,4 +1,4 @@
-#include "approximation/box_union.hpp"
+#include "approximation/block_masks.hpp"
 #include "approximation/cell_blocks.hpp"
 
 #include <algorithm>
@@ -49,8 +49,8 @@ void check_volume(std::span<const Cuboid> cuboids) {
   }
 }
 
-void measure_lost(const CellBlocks& cells, const BoxUnion& volume, std::span<const Cuboid> cuboids,
-                  CuboidError& error) {
+void measure_lost(const CellBlocks& cells, const BlockMasks& volume,
+                  std::span<const Cuboid> cuboids, CuboidError& error) {
   const RTree<std::uint32_t> tree = tree_of(cuboids);
   const auto near = [&](const CellBox& box) {
     return !tree.overlapping(box, [](const CellBox&, std::uint32_t) { return false; });
@@ -66,7 +66,7 @@ void measure_lost(const CellBlocks& cells, const BoxUnion& volume, std::span<con
   if (cuboids.empty()) error.lost_beyond_one = error.lost_cells;
 }
 
-void measure_false(const CellBlocks& cells, const BoxUnion& volume, CuboidError& error) {
+void measure_false(const CellBlocks& cells, const BlockMasks& volume, CuboidError& error) {
   const auto near = [&](const CellBox& box) { return cells.overlaps(box); };
   volume.for_each_block([&](const Cell& origin, const CellMask& inside) {
     const CellBlocks::Block* block = cells.find(origin);
@@ -132,13 +132,13 @@ std::uint64_t pruned_octree_bytes(std::vector<Cell> full) {
 CuboidError cuboid_error(std::span<const CountedCell> input, std::span<const Cuboid> cuboids) {
   check_volume(cuboids);
   const CellBlocks cells(input);
-  BoxUnion volume;
+  BlockMasks volume;
   for (const Cuboid& cuboid : cuboids) volume.add(cuboid.cells);
   CuboidError error;
   error.cells = cells.size();
   for (std::size_t i = 0; i < cells.size(); ++i) error.points += cells.points(i);
   error.cuboids = cuboids.size();
-  error.volume = static_cast<std::uint64_t>(volume.volume());
+  error.volume = static_cast<std::uint64_t>(volume.size());
   measure_lost(cells, volume, cuboids, error);
   measure_false(cells, volume, error);
   return error;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <vector>
 
 namespace rmap {
 
@@ -66,11 +67,12 @@ void spread(BitGrid& grid) {
 
 }  // namespace
 
-DenseRegion::DenseRegion(const CellBlocks& cells, const CellBox& region, const CoverLimits& limits)
+DenseRegion::DenseRegion(std::span<const Cell> cells, const CellBox& region,
+                         const CoverLimits& limits)
     : origin_((region.min.array() - room_around(limits)).matrix()),
       allowed_((region.max - region.min).array() + 2 * room_around(limits)) {
   BitRows& rows = allowed_.rows(0);
-  cells.for_each(region, [&](const Cell& cell, std::size_t) { rows.set(to_local(cell)); });
+  for (const Cell& cell : cells) rows.set(to_local(cell));
   for (int i = 0; i < limits.outer; ++i) {
     dilate_along_x(rows);
     dilate_across(rows, 1);

@@ -1,8 +1,9 @@
 #pragma once
 
 #include "approximation/bit_grid.hpp"
-#include "approximation/cell_blocks.hpp"
 #include "approximation/cover_limits.hpp"
+
+#include <span>
 
 #include <rmap/cell.hpp>
 
@@ -12,14 +13,17 @@ namespace rmap {
 /// reach beyond: where dense algorithms work, with the region's own cells from 0 on.
 class DenseRegion {
  public:
-  /// Allowed are the cells in `region` and all that are at most limits.outer from them.
-  DenseRegion(const CellBlocks& cells, const CellBox& region, const CoverLimits& limits);
+  /// Allowed are `cells`, which lie in `region`, and all that are at most limits.outer from them.
+  DenseRegion(std::span<const Cell> cells, const CellBox& region, const CoverLimits& limits);
 
   const BitGrid& allowed() const { return allowed_; }
   /// An empty set of the same size.
   BitGrid none() const { return BitGrid(allowed_.size()); }
+  /// Every place that may be in a set.
+  CellBox places() const { return {Cell::Ones(), allowed_.size() - Cell::Ones()}; }
 
   Cell to_local(const Cell& cell) const { return cell - origin_; }
+  CellBox to_local(const CellBox& box) const { return {box.min - origin_, box.max - origin_}; }
   CellBox to_map(const CellBox& box) const { return {box.min + origin_, box.max + origin_}; }
 
  private:

@@ -110,10 +110,11 @@ CuboidBound lower_bound(std::span<const CountedCell> cells, const CuboidBoundOpt
                 "the lower bound needs a bit for each place in the box of the cells, of which "
                 "there may be 2^33 at most: take a part of them");
   }
-  const DenseRegion dense(blocks, blocks.bounds(), {.outer = options.outer});
+  std::vector<Cell> places;
+  blocks.for_each(blocks.bounds(), [&](const Cell& cell, std::size_t) { places.push_back(cell); });
+  const DenseRegion dense(places, blocks.bounds(), {.outer = options.outer});
   BitRows own(dense.allowed().size(), 0);
-  blocks.for_each(blocks.bounds(),
-                  [&](const Cell& cell, std::size_t) { own.set(dense.to_local(cell)); });
+  for (const Cell& cell : places) own.set(dense.to_local(cell));
   Stars stars(dense.allowed(), own);
   IndependentCells independent(stars, options.seed);
   independent.choose_greedily();

@@ -1,7 +1,7 @@
 #include "approximation/merge_boxes.hpp"
 
+#include "approximation/block_masks.hpp"
 #include "approximation/box_buckets.hpp"
-#include "approximation/box_union.hpp"
 
 #include <algorithm>
 #include <cstdint>
@@ -46,7 +46,7 @@ class Merge {
   const CellBlocks* allowed_;
   std::vector<CellBox> boxes_;  // those that were joined or dropped are empty
   BoxBuckets buckets_;
-  BoxUnion union_;
+  BlockMasks union_;
   std::priority_queue<Pair, std::vector<Pair>, std::greater<>> pairs_;
   std::vector<std::uint32_t> near_;
   std::vector<Pair> partners_;
@@ -107,7 +107,7 @@ void Merge::run(double max_false) {
     pairs_.pop();
     if (!alive(pair.a) || !alive(pair.b)) continue;
     const CellBox both = united(boxes_[pair.a], boxes_[pair.b]);
-    const std::int64_t volume = union_.volume() + union_.missing(both);
+    const std::int64_t volume = union_.size() + union_.missing(both);
     if (static_cast<double>(volume - cells_) > max_false * static_cast<double>(volume)) continue;
     near_.clear();
     buckets_.for_each_near(both, [&](std::uint32_t other) {
