@@ -17,6 +17,7 @@
 #include <rmap/crop.hpp>
 #include <rmap/cuboid_bound.hpp>
 #include <rmap/cuboid_error.hpp>
+#include <rmap/cuboid_files.hpp>
 #include <rmap/cuboid_frame.hpp>
 #include <rmap/cuboid_map.hpp>
 #include <rmap/cuboids.hpp>
