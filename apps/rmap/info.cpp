@@ -29,10 +29,11 @@ Description describe(const std::filesystem::path& file, const LoadOptions& optio
   if (std::filesystem::is_directory(file, missing)) return describe_scans(file);
   const std::string ending = ending_of(file);
   if (ending == ".bin" || ending == ".pcd") return describe_cloud(file);
+  if (ending == ".rcs") return describe_cuboids(file);
   if (ending == ".csv" || ending == ".ply") {
     throw Error(ErrorKind::input,
                 fmt::format("{} is written for other programs and cannot be read: maps (.rmap), "
-                            "folders of scans and clouds (.bin, .pcd) can",
+                            "folders of scans, clouds (.bin, .pcd) and cuboids (.rcs) can",
                             file.string()));
   }
   // Whatever else it is called: the reader says what is wrong with a file that is none.
@@ -61,7 +62,8 @@ void add_info(CLI::App& app) {
       verb,
       {.usage = "FILE... [options]",
        .text = {"A .rmap file is a map, a folder holds scans with poses, a .bin or .pcd file is "
-                "a cloud of points. All of it is read and checked. With --json one file gives "
+                "a cloud of points, a .rcs file holds cuboids. All of it is read and checked. With "
+                "--json one file gives "
                 "an object, several an array of them; what is infinite or does not exist is "
                 "null.",
                 "A map file does not say how the map lay in memory: the options choose how it "
@@ -70,7 +72,7 @@ void add_info(CLI::App& app) {
                     "rmap info street.rmap --layout cells "
                     "--max-branches 8 --json",
                     "rmap info street street/truth/surface.pcd"}});
-  add_paths(verb, "FILE", arguments->files, "Maps, folders of scans, clouds.")->required();
+  add_paths(verb, "FILE", arguments->files, "Maps, folders of scans, clouds, cuboids.")->required();
   add_json_flag(verb, arguments->json);
   add_load_options(verb, arguments->load);
   verb.callback([arguments] { run(*arguments); });

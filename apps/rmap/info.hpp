@@ -20,5 +20,6 @@ struct Description {
 Description describe_map(const std::filesystem::path& file, const LoadOptions& options);
 Description describe_scans(const std::filesystem::path& folder);
 Description describe_cloud(const std::filesystem::path& file);
+Description describe_cuboids(const std::filesystem::path& file);
 
 }  // namespace rmap::command

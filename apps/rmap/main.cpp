@@ -45,6 +45,8 @@ void add_verbs(CLI::App& app) {
   add_compare(app);
   add_merge(app);
   add_convert(app);
+  add_approximate(app);
+  add_evaluate_cuboids(app);
 }
 
 int complain(int exit_code, const char* sentence) {

@@ -2,6 +2,8 @@
 
 #include "signals.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cerrno>
 #include <system_error>
 #include <unistd.h>
@@ -50,6 +52,19 @@ void check_map_output(const fs::path& file) {
     throw Error(ErrorKind::input,
                 fmt::format("the output {} does not end in .rmap, as a map must: `rmap convert` "
                             "makes other formats of a map",
+                            file.string()));
+  }
+  check_output_file(file);
+}
+
+void check_cuboid_output(const fs::path& file) {
+  constexpr std::array kEndings{".rcs",  ".csv", ".json", ".ply",  ".glb",
+                                ".urdf", ".sdf", ".xml",  ".scene"};
+  const std::string ending = ending_of(file);
+  if (std::find(kEndings.begin(), kEndings.end(), ending) == kEndings.end()) {
+    throw Error(ErrorKind::input,
+                fmt::format("the output {} must end in .rcs, .csv, .json, .ply, .glb, .urdf, .sdf, "
+                            ".xml (MuJoCo) or .scene (MoveIt)",
                             file.string()));
   }
   check_output_file(file);

@@ -15,6 +15,9 @@ void check_output_file(const std::filesystem::path& file);
 /// The same for a map, whose name must end in .rmap.
 void check_map_output(const std::filesystem::path& file);
 
+/// The same for cuboids, whose name must have one of the endings that they are written to.
+void check_cuboid_output(const std::filesystem::path& file);
+
 /// rmap::save that SIGHUP, SIGINT and SIGTERM do not break off; throws Interrupted after it.
 void save_map(const Grid& grid, const std::filesystem::path& file);
 

@@ -44,6 +44,36 @@ std::span<const Word<Criterion>> words<Criterion>() {
 }
 
 template <>
+std::span<const Word<CuboidMethod>> words<CuboidMethod>() {
+  static constexpr std::array kWords = {
+      Word<CuboidMethod>{"auto", CuboidMethod::automatic},
+      Word<CuboidMethod>{"cover", CuboidMethod::cover},
+      Word<CuboidMethod>{"split", CuboidMethod::split},
+      Word<CuboidMethod>{"runs", CuboidMethod::runs},
+      Word<CuboidMethod>{"midpoint", CuboidMethod::midpoint},
+  };
+  return kWords;
+}
+
+template <>
+std::span<const Word<CuboidPhase>> words<CuboidPhase>() {
+  static constexpr std::array kWords = {
+      Word<CuboidPhase>{"zero", CuboidPhase::zero},
+      Word<CuboidPhase>{"centre", CuboidPhase::centre},
+  };
+  return kWords;
+}
+
+template <>
+std::span<const Word<CuboidWeight>> words<CuboidWeight>() {
+  static constexpr std::array kWords = {
+      Word<CuboidWeight>{"points", CuboidWeight::points},
+      Word<CuboidWeight>{"cells", CuboidWeight::cells},
+  };
+  return kWords;
+}
+
+template <>
 std::span<const Word<Face>> words<Face>() {
   static constexpr std::array kWords = {
       Word<Face>{"none", Face::none},   Word<Face>{"min_x", Face::min_x},

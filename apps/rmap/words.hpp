@@ -6,8 +6,10 @@
 #include <string>
 #include <string_view>
 
+#include <rmap/approximate.hpp>
 #include <rmap/box_query.hpp>
 #include <rmap/cast_ray.hpp>
+#include <rmap/cuboid_frame.hpp>
 #include <rmap/grid.hpp>
 #include <rmap/simulation/scene.hpp>
 
@@ -39,6 +41,12 @@ template <>
 std::span<const Word<CellChoice>> words<CellChoice>();
 template <>
 std::span<const Word<Criterion>> words<Criterion>();
+template <>
+std::span<const Word<CuboidMethod>> words<CuboidMethod>();
+template <>
+std::span<const Word<CuboidPhase>> words<CuboidPhase>();
+template <>
+std::span<const Word<CuboidWeight>> words<CuboidWeight>();
 template <>
 std::span<const Word<Face>> words<Face>();
 template <>

@@ -1,6 +1,6 @@
 #include "mappers/asking.hpp"
 
-#include "mappers/clock.hpp"
+#include "clock.hpp"
 #include "support/random.hpp"
 
 #include <filesystem>

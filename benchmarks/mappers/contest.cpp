@@ -2,7 +2,7 @@
 
 #include "counted_heap.hpp"
 #include "mappers/asking.hpp"
-#include "mappers/clock.hpp"
+#include "clock.hpp"
 #include "support/plain_grid.hpp"
 
 #include <algorithm>

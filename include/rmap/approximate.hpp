@@ -6,6 +6,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <rmap/counted_cells.hpp>
@@ -15,7 +16,7 @@ namespace rmap {
 
 /// How cells become cuboids.
 enum class CuboidMethod {
-  automatic,  ///< cover, unless only `max_false` is given: then split
+  automatic,  ///< cover; split where there is no `outer`
   cover,      ///< boxes as large as `outer` allows, and few of them; they may overlap
   split,      ///< cut top down, pruned, and merged again under `max_false`
   runs,       ///< rows joined to rectangles joined to boxes: disjoint, exact, fastest
@@ -26,7 +27,8 @@ enum class CuboidMethod {
 struct ApproximationOptions {
   CuboidMethod method = CuboidMethod::automatic;
   /// A, 0 to 3: a cuboid may hold empty cells, none farther than this from an occupied one.
-  int outer = 1;
+  /// Nothing: as far as `max_false` allows, which only split does. Midpoint goes by `fill` alone.
+  std::optional<int> outer = 1;
   /// B, 0 to 3: an occupied cell may stay outside, none farther than this from a cuboid. Holds
   /// with sigma 1 and omega off.
   int inner = 0;
@@ -76,9 +78,5 @@ struct Approximation {
 /// Cost, on an office of 186,000 cells: docs/benchmarks.md; memory: by cells.
 Approximation approximate(std::span<const CountedCell> cells,
                           const ApproximationOptions& options = {});
-
-/// The method's name on the command line, and back; throws Error(input) for another name.
-std::string_view name_of(CuboidMethod method);
-CuboidMethod cuboid_method(std::string_view name);
 
 }  // namespace rmap

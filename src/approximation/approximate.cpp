@@ -7,10 +7,8 @@
 #include "approximation/split_boxes.hpp"
 
 #include <algorithm>
-#include <array>
 #include <chrono>
 #include <cmath>
-#include <utility>
 
 #include <fmt/format.h>
 
@@ -38,7 +36,12 @@ void check(const ApproximationOptions& options) {
         cells >= 0 && cells <= kMostTolerance,
         fmt::format("{} is {}: it must lie between 0 and {} cells", name, cells, kMostTolerance));
   };
-  tolerance("outer", options.outer);
+  if (options.outer) tolerance("outer", *options.outer);
+  require(options.outer || options.max_false,
+          "there is neither outer nor max_false: one must say what may be false");
+  require(options.outer || options.method != CuboidMethod::cover,
+          "the method cover needs outer: how far an empty cell of a cuboid may be from an occupied "
+          "one");
   tolerance("inner", options.inner);
   require(options.sigma > 0 && options.sigma <= 1,
           fmt::format("sigma is {}: it must be above 0 and at most 1", options.sigma));
@@ -59,8 +62,9 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
 }
 
 std::vector<CellBox> cover_boxes(const CellBlocks& cells, const ApproximationOptions& options) {
-  if (!options.max_false || options.outer == 0) {
-    return cover_by_tiles(cells, {.outer = options.outer, .inner = options.inner}, options.threads);
+  const int outer = options.outer.value_or(0);
+  if (!options.max_false || outer == 0) {
+    return cover_by_tiles(cells, {.outer = outer, .inner = options.inner}, options.threads);
   }
   // Exact boxes, joined as far as both limits allow.
   const std::vector<CellBox> exact = cover_by_tiles(cells, {}, options.threads);
@@ -68,7 +72,7 @@ std::vector<CellBox> cover_boxes(const CellBlocks& cells, const ApproximationOpt
   for (const RankedBox& box : ranked(cells, exact, CuboidWeight::cells, 0)) {
     tight.push_back(box.box);
   }
-  const CellBlocks allowed = cells.dilated(options.outer);
+  const CellBlocks allowed = cells.dilated(outer);
   return merge_boxes(cells, tight, *options.max_false, &allowed);
 }
 
@@ -86,6 +90,9 @@ struct Choice {
 
 Choice choose(const ApproximationOptions& options) {
   if (options.method != CuboidMethod::automatic) return {options.method, "it was asked for"};
+  if (!options.outer) {
+    return {CuboidMethod::split, "only the share of empty cells is bounded, not where they lie"};
+  }
   return {CuboidMethod::cover,
           "it needs fewest cuboids for what may be false and lost, and bounds both"};
 }
@@ -95,14 +102,6 @@ std::uint64_t points_in(const CellBlocks& cells, const CellBox& box) {
   cells.for_each(box, [&](const Cell&, std::size_t number) { points += cells.points(number); });
   return points;
 }
-
-constexpr std::array<std::pair<CuboidMethod, std::string_view>, 5> kMethodNames{{
-    {CuboidMethod::automatic, "auto"},
-    {CuboidMethod::cover, "cover"},
-    {CuboidMethod::split, "split"},
-    {CuboidMethod::runs, "runs"},
-    {CuboidMethod::midpoint, "midpoint"},
-}};
 
 }  // namespace
 
@@ -116,21 +115,6 @@ ApproximationOptions approximation_preset(std::string_view name) {
   throw Error(
       ErrorKind::input,
       fmt::format("there is no preset \"{}\": there are exact, default, compact, sketch", name));
-}
-
-std::string_view name_of(CuboidMethod method) {
-  return std::find_if(kMethodNames.begin(), kMethodNames.end(),
-                      [&](const auto& entry) { return entry.first == method; })
-      ->second;
-}
-
-CuboidMethod cuboid_method(std::string_view name) {
-  for (const auto& [method, known] : kMethodNames) {
-    if (known == name) return method;
-  }
-  throw Error(
-      ErrorKind::input,
-      fmt::format("there is no method \"{}\": there are auto, cover, split, runs, midpoint", name));
 }
 
 Approximation approximate(std::span<const CountedCell> input, const ApproximationOptions& options) {

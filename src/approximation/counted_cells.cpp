@@ -16,8 +16,12 @@ bool scan_less(const Cell& a, const Cell& b) {
 }
 
 void sort_by_scan(std::vector<CountedCell>& cells) {
-  std::sort(cells.begin(), cells.end(),
-            [](const CountedCell& a, const CountedCell& b) { return scan_less(a.cell, b.cell); });
+  const auto less = [](const CountedCell& a, const CountedCell& b) {
+    return scan_less(a.cell, b.cell);
+  };
+  if (!std::is_sorted(cells.begin(), cells.end(), less)) {
+    std::sort(cells.begin(), cells.end(), less);
+  }
 }
 
 std::uint32_t added(std::uint32_t a, std::uint32_t b) {
