@@ -32,7 +32,7 @@ struct Cut {
   std::int32_t at = 0;  ///< first place of the upper part
   std::int64_t volume = std::numeric_limits<std::int64_t>::max();  ///< of both parts
   std::int64_t full = 0;     ///< volume of the larger part that is full
-  std::int64_t balance = 0;  ///< cells of the smaller part
+  std::int64_t balance = 0;  ///< volume of the smaller part
   bool reduces = false;      ///< the volume of the box
 
   /// Less volume first; of those that save none, the one that peels off most, then the evenest.
@@ -101,7 +101,7 @@ Cut SplitTree::best_cut(std::span<const Cell> cells, const Slice& all) {
       cut.volume = volume_of(below.box) + volume_of(rest.box);
       cut.reduces = cut.volume < whole;
       cut.full = std::max(below.full() ? below.count : 0, rest.full() ? rest.count : 0);
-      cut.balance = std::min(below.count, rest.count);
+      cut.balance = std::min(volume_of(below.box), volume_of(rest.box));
       if (best.axis < 0 || cut.better_than(best)) best = cut;
     }
   }
