@@ -1,26 +1,44 @@
 #include "approximation/cell_blocks.hpp"
 
+#include <algorithm>
 #include <limits>
 
 namespace rmap {
 
+namespace {
+
+/// The box of the cells of a block, which has some.
+CellBox bounds_of(const CellBlocks::Block& block) {
+  Cell low = Cell::Constant(kBlockEdge);
+  Cell high = Cell::Zero();
+  block.cells.for_each([&](BlockPosition position) {
+    const Cell offset = block_offset(position);
+    low = low.cwiseMin(offset);
+    high = high.cwiseMax(offset);
+  });
+  return {.min = block.origin + low, .max = block.origin + high + Cell::Ones()};
+}
+
+}  // namespace
+
 CellBlocks::CellBlocks(std::span<const CountedCell> cells) {
+  std::uint32_t at = 0;
   for (const CountedCell& counted : cells) {
-    blocks_[block_at(block_origin(counted.cell))].cells.set(block_position(counted.cell));
+    const Cell origin = block_origin(counted.cell);
+    if (blocks_.empty() || blocks_[at].origin != origin) at = block_at(origin);
+    blocks_[at].cells.set(block_position(counted.cell));
   }
   number_cells();
+  const Block* block = nullptr;
   for (const CountedCell& counted : cells) {
-    const Block& block = *find(block_origin(counted.cell));
-    std::uint32_t& points = points_[block.first + block.cells.rank(block_position(counted.cell))];
-    const std::uint32_t room = std::numeric_limits<std::uint32_t>::max() - points;
-    points += std::min(room, counted.points);
+    const Cell origin = block_origin(counted.cell);
+    if (block == nullptr || block->origin != origin) block = find(origin);
+    std::uint32_t& points = points_[block->first + block->cells.rank(block_position(counted.cell))];
+    points += std::min(counted.points, std::numeric_limits<std::uint32_t>::max() - points);
   }
 }
 
 std::uint32_t CellBlocks::block_at(const Cell& origin) {
-  if (!blocks_.empty() && blocks_.back().origin == origin) {
-    return static_cast<std::uint32_t>(blocks_.size() - 1);
-  }
   const std::uint32_t place =
       places_.add(origin, CellPlaces::hash_of(origin),
                   [&](std::uint32_t i) -> const Cell& { return blocks_[i].origin; });
@@ -34,11 +52,9 @@ void CellBlocks::number_cells() {
   for (Block& block : blocks_) {
     block.first = count;
     count += block.cells.count();
-    block.cells.for_each([&](BlockPosition position) {
-      const CellBox cell = box_of(block.origin + block_offset(position));
-      bounds_ = first ? cell : united(bounds_, cell);
-      first = false;
-    });
+    const CellBox box = bounds_of(block);
+    bounds_ = first ? box : united(bounds_, box);
+    first = false;
   }
   points_.assign(count, 0);
 }

@@ -16,6 +16,7 @@ namespace {
 struct Tile {
   Cell place;    ///< in tiles from the lowest on
   CellBox home;  ///< no larger than its cells need
+  std::size_t cells = 0;
 };
 
 class TileCover {
@@ -46,24 +47,30 @@ class TileCover {
   std::vector<std::vector<CellBox>> boxes_;
 };
 
-// Tiles that touch follow one another by the parity of their places, so that many do not wait.
+// Tiles that touch follow one another by the parity of their places, so that many do not wait; of
+// those that do not touch, the largest first, so that none is left for the end.
 void TileCover::find_tiles() {
-  const auto key = [](const Cell& place) {
-    const int parity = (place.x() & 1) | (place.y() & 1) << 1 | (place.z() & 1) << 2;
-    return std::tuple(parity, place.z(), place.y(), place.x());
+  const auto scan_order = [](const Cell& a, const Cell& b) {
+    return std::tuple(a.z(), a.y(), a.x()) < std::tuple(b.z(), b.y(), b.x());
   };
-  const auto before = [&](const Cell& a, const Cell& b) { return key(a) < key(b); };
-  std::map<Cell, CellBox, decltype(before)> homes(before);
+  std::map<Cell, Tile, decltype(scan_order)> tiles(scan_order);
   const Cell origin = cells_.bounds().min;
-  auto tile = homes.end();
+  auto tile = tiles.end();
   cells_.for_each(cells_.bounds(), [&](const Cell& cell, std::size_t) {
     const Cell place = (cell - origin) / tiling_.edge;
-    if (tile == homes.end() || tile->first != place) {
-      tile = homes.try_emplace(place, box_of(cell)).first;
+    if (tile == tiles.end() || tile->first != place) {
+      tile = tiles.try_emplace(place, Tile{place, box_of(cell), 0}).first;
     }
-    tile->second = united(tile->second, box_of(cell));
+    tile->second.home = united(tile->second.home, box_of(cell));
+    ++tile->second.cells;
   });
-  for (const auto& [place, home] : homes) tiles_.push_back({place, home});
+  for (const auto& [place, found] : tiles) tiles_.push_back(found);
+  const auto parity = [](const Tile& one) {
+    return (one.place.x() & 1) | (one.place.y() & 1) << 1 | (one.place.z() & 1) << 2;
+  };
+  std::stable_sort(tiles_.begin(), tiles_.end(), [&](const Tile& a, const Tile& b) {
+    return parity(a) != parity(b) ? parity(a) < parity(b) : a.cells > b.cells;
+  });
 }
 
 std::vector<std::vector<std::size_t>> TileCover::before() const {
