@@ -78,13 +78,15 @@ class CuboidMap::Implementation {
     std::uint32_t number;
   };
 
-  void update_region(const CellBox& changed);
+  /// The region with a bit for each place; exact at limits_.outer cells from its border.
+  DenseRegion dense(const CellBox& region) const;
+  void carve(const CellBox& changed);
+  void cover_again(const CellBox& changed);
   std::vector<Item> near(const CellBox& region) const;
   void insert(const CellBox& box) { tree_.insert(box, next_++); }
   void erase(const Item& item) {
     tree_.erase_if(item.box, [&](std::uint32_t number) { return number == item.number; });
   }
-  void carve(const DenseRegion& dense, const CellBox& changed);
 
   CoverLimits limits_;
   BlockMasks cells_;
@@ -105,32 +107,32 @@ std::vector<CuboidMap::Implementation::Item> CuboidMap::Implementation::near(
   return items;
 }
 
+DenseRegion CuboidMap::Implementation::dense(const CellBox& region) const {
+  std::vector<Cell> places;
+  cells_.for_each(region, [&](const Cell& cell) { places.push_back(cell); });
+  return DenseRegion(places, region, limits_);
+}
+
 // What is no longer allowed is cut out of the boxes that hold it.
-void CuboidMap::Implementation::carve(const DenseRegion& dense, const CellBox& changed) {
+void CuboidMap::Implementation::carve(const CellBox& changed) {
+  const DenseRegion around = dense(grown_by(changed, limits_.outer));
   for (const Item& item : near(changed)) {
     const CellBox inside = intersection(item.box, changed);
-    if (dense.allowed().holds(dense.to_local(inside))) continue;
+    if (around.allowed().holds(around.to_local(inside))) continue;
     erase(item);
     for (const CellBox& part : without(item.box, changed)) insert(part);
   }
 }
 
-void CuboidMap::Implementation::update_region(const CellBox& flipped) {
-  const CellBox changed = grown_by(flipped, limits_.outer);
+void CuboidMap::Implementation::cover_again(const CellBox& changed) {
   const CellBox region = grown_by(changed, kReach);
   // Boxes in the region may cover cells `inner` beyond it, and cells `outer` beyond allow some in
   // it.
   const CellBox room = grown_by(region, std::max(limits_.outer, limits_.inner));
-  std::vector<Cell> places;
-  cells_.for_each(room, [&](const Cell& cell) { places.push_back(cell); });
-  const DenseRegion dense(places, room, limits_);
-  carve(dense, changed);
-
+  const DenseRegion dense = this->dense(room);
   BitGrid required = dense.none();
   const CellBox needed = grown_by(region, limits_.inner);
-  for (const Cell& cell : places) {
-    if (needed.contains(cell)) required.set(dense.to_local(cell));
-  }
+  cells_.for_each(needed, [&](const Cell& cell) { required.set(dense.to_local(cell)); });
   std::vector<Item> movable;
   std::vector<CellBox> first;
   for (const Item& item : near(grown_by(needed, limits_.inner))) {
@@ -161,7 +163,12 @@ void CuboidMap::Implementation::update(std::span<const CellState> states) {
     const auto [region, is_new] = regions.try_emplace(key(state.cell), box_of(state.cell));
     if (!is_new) region->second = united(region->second, box_of(state.cell));
   }
-  for (const auto& [cube, flipped] : regions) update_region(flipped);
+  // All boxes hold only what is allowed before any is moved.
+  for (auto& [cube, changed] : regions) {
+    changed = grown_by(changed, limits_.outer);
+    carve(changed);
+  }
+  for (const auto& [cube, changed] : regions) cover_again(changed);
 }
 
 // A list that is not complete names every occupied cell of its blocks: the others are not.
