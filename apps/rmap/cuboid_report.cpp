@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include <rmap/rtree.hpp>
+#include <rmap/cuboid_tree.hpp>
 
 namespace rmap::command {
 
@@ -16,23 +16,14 @@ double ratio(std::uint64_t a, std::uint64_t b) {
   return b == 0 ? 0 : static_cast<double>(a) / static_cast<double>(b);
 }
 
-std::size_t rtree_bytes(std::span<const Cuboid> cuboids, int max_branches) {
-  std::vector<RTree<std::uint32_t>::Item> items;
-  for (const Cuboid& cuboid : cuboids) {
-    items.push_back({cuboid.cells, static_cast<std::uint32_t>(items.size())});
-  }
-  return RTree<std::uint32_t>::bulk_load(items, {.max_branches = max_branches})
-      .statistics()
-      .bytes_in_use;
-}
-
 }  // namespace
 
 CuboidEvaluation evaluate_cuboids(std::span<const CountedCell> cells,
                                   std::span<const Cuboid> cuboids) {
   CuboidEvaluation evaluation{cuboid_error(cells, cuboids), cuboid_bytes(cells, cuboids), {}};
   for (const int branches : {8, 16, 32}) {
-    evaluation.rtree_bytes.emplace_back(branches, rtree_bytes(cuboids, branches));
+    evaluation.rtree_bytes.emplace_back(
+        branches, cuboid_tree(cuboids, {.max_branches = branches}).statistics().bytes_in_use);
   }
   return evaluation;
 }

@@ -20,6 +20,7 @@
 #include <rmap/cuboid_files.hpp>
 #include <rmap/cuboid_frame.hpp>
 #include <rmap/cuboid_map.hpp>
+#include <rmap/cuboid_tree.hpp>
 #include <rmap/cuboids.hpp>
 #include <rmap/error.hpp>
 #include <rmap/function_ref.hpp>

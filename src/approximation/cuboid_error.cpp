@@ -4,9 +4,9 @@
 #include <algorithm>
 
 #include <rmap/cuboid_error.hpp>
+#include <rmap/cuboid_tree.hpp>
 #include <rmap/error.hpp>
 #include <rmap/packed_cuboids.hpp>
-#include <rmap/rtree.hpp>
 
 namespace rmap {
 
@@ -34,12 +34,6 @@ std::int32_t farther(std::int32_t least, const Cell& cell, const Near& near) {
   return in;
 }
 
-RTree<std::uint32_t> tree_of(std::span<const Cuboid> cuboids) {
-  std::vector<RTree<std::uint32_t>::Item> items;
-  for (const Cuboid& cuboid : cuboids) items.push_back({cuboid.cells, 0});
-  return RTree<std::uint32_t>::bulk_load(items);
-}
-
 void check_volume(std::span<const Cuboid> cuboids) {
   double volume = 0;
   for (const Cuboid& cuboid : cuboids) volume += cuboid.cells.volume();
@@ -51,7 +45,7 @@ void check_volume(std::span<const Cuboid> cuboids) {
 
 void measure_lost(const CellBlocks& cells, const BlockMasks& volume,
                   std::span<const Cuboid> cuboids, CuboidError& error) {
-  const RTree<std::uint32_t> tree = tree_of(cuboids);
+  const RTree<std::uint32_t> tree = cuboid_tree(cuboids);
   const auto near = [&](const CellBox& box) {
     return !tree.overlapping(box, [](const CellBox&, std::uint32_t) { return false; });
   };
