@@ -1,4 +1,5 @@
 #include "io/atomic_file.hpp"
+#include "io/cuboid_samples.hpp"
 #include "io/files.hpp"
 
 #include <cerrno>
@@ -14,6 +15,7 @@
 #include <gtest/gtest.h>
 
 #include <rmap/cell_files.hpp>
+#include <rmap/cuboid_files.hpp>
 #include <rmap/scan_files.hpp>
 
 namespace rmap {
@@ -34,6 +36,11 @@ void write_many_cells(const std::filesystem::path& file) {
   });
 }
 
+void write_many_cuboids(const std::filesystem::path& file) {
+  test::Random random(1);
+  write_cuboids(file, test::random_cuboids(random, 10000));
+}
+
 std::vector<Writer> all_writers() {
   const auto points = [](const std::filesystem::path& file) {
     write_points(file, std::vector<Vector3f>(50000, Vector3f::Ones()));
@@ -41,8 +48,14 @@ std::vector<Writer> all_writers() {
   const auto poses = [](const std::filesystem::path& file) {
     write_poses(file, std::vector<Pose>(20000, Pose::Identity()));
   };
-  return {{"a.bin", points},           {"a.pcd", points},           {"poses.txt", poses},
-          {"a.csv", write_many_cells}, {"a.ply", write_many_cells}, {"b.pcd", write_many_cells}};
+  std::vector<Writer> writers = {{"a.bin", points},           {"a.pcd", points},
+                                 {"poses.txt", poses},        {"a.csv", write_many_cells},
+                                 {"a.ply", write_many_cells}, {"b.pcd", write_many_cells}};
+  for (const char* ending :
+       {".rcs", ".csv", ".json", ".ply", ".glb", ".urdf", ".sdf", ".xml", ".scene"}) {
+    writers.push_back({std::string("cuboids") + ending, write_many_cuboids});
+  }
+  return writers;
 }
 
 TEST(FullDisk, is_an_error_that_names_file_and_reason) {
@@ -86,7 +99,7 @@ TEST(FullDisk, leaves_the_old_file_and_nothing_else) {
     std::filesystem::remove(file);
     ++cases;
   }
-  EXPECT_EQ(cases, 6);
+  EXPECT_EQ(cases, 15);
 }
 
 // What `writer` does in a process whose files must not grow beyond 4096 bytes; the exit
@@ -123,7 +136,7 @@ TEST(FullDisk, limit_of_the_size_of_files_is_the_same) {
     std::filesystem::remove(file);
     ++cases;
   }
-  EXPECT_EQ(cases, 6);
+  EXPECT_EQ(cases, 15);
 }
 
 }  // namespace

@@ -1,0 +1,211 @@
+#include "io/bytes.hpp"
+#include "io/color_map.hpp"
+#include "io/cuboid_formats.hpp"
+#include "io/input_boxes.hpp"
+
+#include <cmath>
+#include <limits>
+#include <string>
+
+#include <fmt/format.h>
+
+#include <rmap/error.hpp>
+
+namespace rmap {
+
+namespace {
+
+// glTF 2.0 in one file: a header, a chunk of JSON and one with what the JSON describes.
+constexpr std::uint32_t kMagic = 0x46546C67;
+constexpr std::uint32_t kJsonChunk = 0x4E4F534A;
+constexpr std::uint32_t kBinaryChunk = 0x004E4942;
+
+// Sides have corners of their own, since each side has its own normal.
+constexpr std::size_t kVertices = 24;
+constexpr std::size_t kIndices = 36;
+constexpr std::size_t kPositionSize = 3 * sizeof(float);
+constexpr std::size_t kColorSize = 4 * sizeof(std::uint16_t);
+constexpr std::size_t kBytesPerBox =
+    kVertices * (2 * kPositionSize + kColorSize) + kIndices * sizeof(std::uint32_t);
+
+// The four corners of a side from its two triangles (a, b, c) and (a, c, d).
+std::array<unsigned, 4> corners_of_side(std::size_t side) {
+  const auto& first = kBoxTriangles[2 * side];
+  return {first[0], first[1], first[2], kBoxTriangles[2 * side + 1][2]};
+}
+
+Vector3d outward(std::size_t side) {
+  return Vector3d::Unit(static_cast<int>(side / 2)) * (side % 2 == 0 ? -1.0 : 1.0);
+}
+
+// glTF wants light, of which sRGB is a curve.
+std::uint16_t linear(std::uint8_t srgb) {
+  const double part = srgb / 255.0;
+  const double light = part <= 0.04045 ? part / 12.92 : std::pow((part + 0.055) / 1.055, 2.4);
+  return static_cast<std::uint16_t>(std::lround(65535 * light));
+}
+
+class GlbWriter {
+ public:
+  GlbWriter(AtomicFile& file, const CuboidList& list) : file_(file), list_(list), boxes_(list) {
+    measure();
+  }
+
+  void write() {
+    std::string json = list_.cuboids.empty() ? empty_json() : mesh_json();
+    json.resize((json.size() + 3) / 4 * 4, ' ');
+    const std::size_t binary = kBytesPerBox * list_.cuboids.size();
+    const std::size_t total = 12 + 8 + json.size() + (binary == 0 ? 0 : 8 + binary);
+    if (total > std::numeric_limits<std::uint32_t>::max()) {
+      throw Error(ErrorKind::limit,
+                  fmt::format("{} cannot hold {} cuboids: the file would have {} bytes, and a .glb "
+                              "file can have 4294967295",
+                              file_.target().string(), list_.cuboids.size(), total));
+    }
+    number(kMagic);
+    number(std::uint32_t{2});
+    number(static_cast<std::uint32_t>(total));
+    number(static_cast<std::uint32_t>(json.size()));
+    number(kJsonChunk);
+    file_.write(json);
+    if (binary == 0) return;  // buffers of no bytes are not allowed
+    number(static_cast<std::uint32_t>(binary));
+    number(kBinaryChunk);
+    write_positions();
+    write_normals();
+    write_colors();
+    write_indices();
+  }
+
+ private:
+  // The range of heights, the origin of the positions, and their range as the floats they become.
+  void measure() {
+    const double infinity = std::numeric_limits<double>::infinity();
+    Vector3d low = Vector3d::Constant(infinity);
+    Vector3d high = -low;
+    for (const Cuboid& cuboid : list_.cuboids) {
+      for (unsigned i = 0; i < 8; ++i) {
+        const Vector3d corner = boxes_.corner(cuboid.cells, i);
+        low = low.cwiseMin(corner);
+        high = high.cwiseMax(corner);
+        scale_.add(corner.z());
+      }
+    }
+    if (list_.cuboids.empty()) return;
+    origin_ = ((low + high) / 2).array().round();
+    low_ = (low - origin_).cast<float>();
+    high_ = (high - origin_).cast<float>();
+  }
+
+  Vector3f position(const CellBox& cells, unsigned corner) const {
+    return (boxes_.corner(cells, corner) - origin_).cast<float>();
+  }
+
+  // glTF has y up: a quarter turn about x brings z there. The positions' origin goes with it.
+  std::string root_json() const {
+    return fmt::format(
+        R"("nodes":[{{"name":"z up","rotation":[-0.7071067811865476,0,0,0.7071067811865476],)"
+        R"("translation":[{}])",
+        joined(Vector3d(origin_.x(), origin_.z(), -origin_.y()), ","));
+  }
+
+  static std::string start_json() {
+    return R"({"asset":{"version":"2.0","generator":"rmap"},"scene":0,"scenes":[{"nodes":[0]}],)";
+  }
+
+  std::string empty_json() const { return start_json() + root_json() + "}]}"; }
+
+  std::string mesh_json() const {
+    const std::size_t vertices = kVertices * list_.cuboids.size();
+    const std::size_t positions = kPositionSize * vertices;
+    const std::size_t colors = kColorSize * vertices;
+    const std::size_t indices = kIndices * list_.cuboids.size();
+    std::string json = start_json();
+    json += root_json() + R"(,"mesh":0}],)";
+    json += R"("materials":[{"name":"height","pbrMetallicRoughness":{"metallicFactor":0,)"
+            R"("roughnessFactor":1}}],)"
+            R"("meshes":[{"name":"cuboids","primitives":[{"attributes":{"POSITION":0,"NORMAL":1,)"
+            R"("COLOR_0":2},"indices":3,"material":0}]}],)";
+    json += fmt::format(
+        R"("accessors":[)"
+        R"({{"bufferView":0,"componentType":5126,"count":{0},"type":"VEC3","min":[{1}],"max":[{2}]}},)"
+        R"({{"bufferView":1,"componentType":5126,"count":{0},"type":"VEC3"}},)"
+        R"({{"bufferView":2,"componentType":5123,"normalized":true,"count":{0},"type":"VEC4"}},)"
+        R"({{"bufferView":3,"componentType":5125,"count":{3},"type":"SCALAR"}}],)",
+        vertices, joined(low_.cast<double>(), ","), joined(high_.cast<double>(), ","), indices);
+    json += fmt::format(R"("bufferViews":[)"
+                        R"({{"buffer":0,"byteOffset":0,"byteLength":{0},"target":34962}},)"
+                        R"({{"buffer":0,"byteOffset":{0},"byteLength":{0},"target":34962}},)"
+                        R"({{"buffer":0,"byteOffset":{1},"byteLength":{2},"target":34962}},)"
+                        R"({{"buffer":0,"byteOffset":{3},"byteLength":{4},"target":34963}}],)"
+                        R"("buffers":[{{"byteLength":{5}}}]}})",
+                        positions, 2 * positions, colors, 2 * positions + colors,
+                        sizeof(std::uint32_t) * indices, kBytesPerBox * list_.cuboids.size());
+    return json;
+  }
+
+  template <class Visit>
+  void for_each_side_of_each_box(Visit&& visit) const {
+    for (const Cuboid& cuboid : list_.cuboids) {
+      for (std::size_t side = 0; side < 6; ++side) visit(cuboid.cells, side);
+    }
+  }
+
+  void write_positions() {
+    for_each_side_of_each_box([&](const CellBox& cells, std::size_t side) {
+      for (const unsigned corner : corners_of_side(side)) numbers(position(cells, corner));
+    });
+  }
+
+  void write_normals() {
+    std::array<Vector3f, 6> normals;
+    for (std::size_t side = 0; side < 6; ++side) {
+      normals[side] = boxes_.direction(outward(side)).cast<float>();
+    }
+    for_each_side_of_each_box([&](const CellBox&, std::size_t side) {
+      for (int corner = 0; corner < 4; ++corner) numbers(normals[side]);
+    });
+  }
+
+  void write_colors() {
+    for_each_side_of_each_box([&](const CellBox& cells, std::size_t side) {
+      for (const unsigned corner : corners_of_side(side)) {
+        for (const auto part : viridis(scale_.share(boxes_.corner(cells, corner).z()))) {
+          number(linear(part));
+        }
+        number(std::uint16_t{65535});
+      }
+    });
+  }
+
+  void write_indices() {
+    std::uint32_t first = 0;
+    for_each_side_of_each_box([&](const CellBox&, std::size_t) {
+      for (const std::uint32_t corner : {0U, 1U, 2U, 0U, 2U, 3U}) number(first + corner);
+      first += 4;
+    });
+  }
+
+  template <class T>
+  void number(T value) {
+    file_.write(little_endian(value));
+  }
+  void numbers(const Vector3f& values) {
+    for (const float value : values) number(value);
+  }
+
+  AtomicFile& file_;
+  const CuboidList& list_;
+  InputBoxes boxes_;
+  HeightScale scale_;
+  // Positions are floats: relative to a place in their middle they are exact enough anywhere.
+  Vector3d origin_ = Vector3d::Zero();
+  Vector3f low_ = Vector3f::Zero();
+  Vector3f high_ = Vector3f::Zero();
+};
+
+}  // namespace
+
+void write_cuboid_glb(AtomicFile& file, const CuboidList& list) { GlbWriter(file, list).write(); }
+
+}  // namespace rmap
