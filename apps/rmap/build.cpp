@@ -191,7 +191,7 @@ void run(const BuildArguments& arguments) {
 
   const BuiltMap map{.output = arguments.output,
                      .cells = grid.cell_count(),
-                     .occupied = occupied_cells(grid),
+                     .occupied = occupied_count(grid),
                      .history = grid.history(),
                      .bytes_in_use = grid.bytes_in_use()};
   if (arguments.json) {

@@ -67,7 +67,7 @@ void print_cloud_comparison(const Grid& grid, const CloudComparison& found, bool
                 {"in_assumed_free", found.in_assumed_free},
                 {"cells", grid.cell_count()},
                 {"cells_without_point", found.cells_without_point},
-                {"occupied", occupied_cells(grid)},
+                {"occupied", occupied_count(grid)},
                 {"occupied_without_point", found.occupied_without_point}});
     return;
   }
@@ -78,7 +78,7 @@ void print_cloud_comparison(const Grid& grid, const CloudComparison& found, bool
       "        {} occupied: {} without a point\n",
       grouped(found.points), grouped(found.in_occupied), grouped(found.in_free),
       grouped(found.in_assumed_free), grouped(found.beyond_limits), grouped(found.not_finite),
-      grouped(grid.cell_count()), grouped(found.cells_without_point), grouped(occupied_cells(grid)),
+      grouped(grid.cell_count()), grouped(found.cells_without_point), grouped(occupied_count(grid)),
       grouped(found.occupied_without_point)));
 }
 

@@ -34,7 +34,7 @@ struct CuboidInput {
 struct CuboidInputOptions {
   /// Edge of a cell for points, metres; maps have their own, which this must not contradict.
   std::optional<double> resolution;
-  FrameChoice frame;
+  FrameChoice frame = {};
   int outer = 1;  ///< for the trial of an estimated frame
   int threads = 1;
 };

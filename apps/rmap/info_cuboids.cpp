@@ -43,7 +43,7 @@ Description describe_cuboids(const std::filesystem::path& file) {
       grouped(static_cast<std::uint64_t>(volume)), none ? "none" : readable_box(box) + " m",
       readable_frame(list.frame), grouped(std::filesystem::file_size(file)),
       grouped(24 * list.cuboids.size()));
-  return {std::move(words), std::move(json)};
+  return {std::move(json), std::move(words)};
 }
 
 }  // namespace rmap::command

@@ -39,7 +39,7 @@ Description describe_map(const std::filesystem::path& file, const LoadOptions& o
   const MapFileInfo info = read_map_info(file);
   const Grid grid = load(file, options);
   const Lattice& lattice = grid.lattice();
-  const std::size_t occupied = occupied_cells(grid);
+  const std::size_t occupied = occupied_count(grid);
   const BytesInUse bytes = grid.bytes_in_use();
   const RTreeStatistics tree = grid.rtree_statistics();
   const CellBox cells = grid.bounds();

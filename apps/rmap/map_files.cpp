@@ -76,6 +76,6 @@ void save_map(const Grid& grid, const fs::path& file) {
   hold.check();
 }
 
-std::size_t occupied_cells(const Grid& grid) { return count_cells(grid, {.occupied_only = true}); }
+std::size_t occupied_count(const Grid& grid) { return count_cells(grid, {.occupied_only = true}); }
 
 }  // namespace rmap::command

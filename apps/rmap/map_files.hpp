@@ -22,6 +22,6 @@ void check_cuboid_output(const std::filesystem::path& file);
 void save_map(const Grid& grid, const std::filesystem::path& file);
 
 /// How many cells are occupied.
-std::size_t occupied_cells(const Grid& grid);
+std::size_t occupied_count(const Grid& grid);
 
 }  // namespace rmap::command

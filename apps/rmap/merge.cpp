@@ -50,13 +50,13 @@ void run(const MergeArguments& arguments) {
     print_json({{"output", arguments.output.string()},
                 {"maps", maps},
                 {"cells", sum.cell_count()},
-                {"occupied", occupied_cells(sum)},
+                {"occupied", occupied_count(sum)},
                 {"scans", sum.scan_poses().size()},
                 {"history", word_of(sum.history())}});
   } else {
     print(fmt::format("{}: {} with {}, {} of them occupied, {} history of {}\n",
                       arguments.output.string(), counted(arguments.maps.size(), "map"),
-                      counted(sum.cell_count(), "cell"), grouped(occupied_cells(sum)),
+                      counted(sum.cell_count(), "cell"), grouped(occupied_count(sum)),
                       word_of(sum.history()), counted(sum.scan_poses().size(), "scan")));
   }
 }
