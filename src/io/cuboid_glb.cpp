@@ -3,9 +3,13 @@
 #include "io/cuboid_formats.hpp"
 #include "io/input_boxes.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <string>
+#include <type_traits>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -36,6 +40,14 @@ std::array<unsigned, 4> corners_of_side(std::size_t side) {
 
 Vector3d outward(std::size_t side) {
   return Vector3d::Unit(static_cast<int>(side / 2)) * (side % 2 == 0 ? -1.0 : 1.0);
+}
+
+template <class T, std::size_t kCount>
+std::array<std::byte, kCount * sizeof(T)> bytes_of(const std::array<T, kCount>& numbers) {
+  std::array<std::byte, kCount * sizeof(T)> bytes;
+  auto next = bytes.begin();
+  for (const T number : numbers) next = std::ranges::copy(little_endian(number), next).out;
+  return bytes;
 }
 
 // glTF wants light, of which sRGB is a curve.
@@ -97,10 +109,6 @@ class GlbWriter {
     high_ = (high - origin_).cast<float>();
   }
 
-  Vector3f position(const CellBox& cells, unsigned corner) const {
-    return (boxes_.corner(cells, corner) - origin_).cast<float>();
-  }
-
   // glTF has y up: a quarter turn about x brings z there. The positions' origin goes with it.
   std::string root_json() const {
     return fmt::format(
@@ -144,54 +152,57 @@ class GlbWriter {
     return json;
   }
 
-  template <class Visit>
-  void for_each_side_of_each_box(Visit&& visit) const {
+  // The bytes of each corner, which it has on all of its three sides.
+  template <class BytesOf>
+  void write_corners(BytesOf&& bytes_at) {
     for (const Cuboid& cuboid : list_.cuboids) {
-      for (std::size_t side = 0; side < 6; ++side) visit(cuboid.cells, side);
+      std::array<std::invoke_result_t<BytesOf, Vector3d>, 8> corners;
+      for (unsigned i = 0; i < 8; ++i) corners[i] = bytes_at(boxes_.corner(cuboid.cells, i));
+      for (std::size_t side = 0; side < 6; ++side) {
+        for (const unsigned corner : corners_of_side(side)) file_.write(corners[corner]);
+      }
     }
   }
 
   void write_positions() {
-    for_each_side_of_each_box([&](const CellBox& cells, std::size_t side) {
-      for (const unsigned corner : corners_of_side(side)) numbers(position(cells, corner));
-    });
-  }
-
-  void write_normals() {
-    std::array<Vector3f, 6> normals;
-    for (std::size_t side = 0; side < 6; ++side) {
-      normals[side] = boxes_.direction(outward(side)).cast<float>();
-    }
-    for_each_side_of_each_box([&](const CellBox&, std::size_t side) {
-      for (int corner = 0; corner < 4; ++corner) numbers(normals[side]);
+    write_corners([&](const Vector3d& corner) {
+      const Vector3f at = (corner - origin_).cast<float>();
+      return bytes_of<float, 3>({at.x(), at.y(), at.z()});
     });
   }
 
   void write_colors() {
-    for_each_side_of_each_box([&](const CellBox& cells, std::size_t side) {
-      for (const unsigned corner : corners_of_side(side)) {
-        for (const auto part : viridis(scale_.share(boxes_.corner(cells, corner).z()))) {
-          number(linear(part));
-        }
-        number(std::uint16_t{65535});
-      }
+    write_corners([&](const Vector3d& corner) {
+      const Color color = viridis(scale_.share(corner.z()));
+      return bytes_of<std::uint16_t, 4>(
+          {linear(color[0]), linear(color[1]), linear(color[2]), 65535});
     });
   }
 
+  void write_normals() {
+    std::vector<std::byte> normals;
+    for (std::size_t side = 0; side < 6; ++side) {
+      const Vector3f normal = boxes_.direction(outward(side)).cast<float>();
+      const auto bytes = bytes_of<float, 3>({normal.x(), normal.y(), normal.z()});
+      for (int corner = 0; corner < 4; ++corner) {
+        normals.insert(normals.end(), bytes.begin(), bytes.end());
+      }
+    }
+    for (std::size_t box = 0; box < list_.cuboids.size(); ++box) file_.write(normals);
+  }
+
   void write_indices() {
-    std::uint32_t first = 0;
-    for_each_side_of_each_box([&](const CellBox&, std::size_t) {
-      for (const std::uint32_t corner : {0U, 1U, 2U, 0U, 2U, 3U}) number(first + corner);
-      first += 4;
-    });
+    const std::size_t sides = 6 * list_.cuboids.size();
+    for (std::size_t side = 0; side < sides; ++side) {
+      const auto first = static_cast<std::uint32_t>(4 * side);
+      file_.write(
+          bytes_of<std::uint32_t, 6>({first, first + 1, first + 2, first, first + 2, first + 3}));
+    }
   }
 
   template <class T>
   void number(T value) {
     file_.write(little_endian(value));
-  }
-  void numbers(const Vector3f& values) {
-    for (const float value : values) number(value);
   }
 
   AtomicFile& file_;
