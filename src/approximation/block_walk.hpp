@@ -23,8 +23,10 @@ bool for_each_block_of(const CellBox& box, const Use& use) {
 
 /// The cells of a block that lie in a box which shares one with it.
 inline CellMask positions_in(const Cell& origin, const CellBox& box) {
-  const Cell low = (box.min - origin).cwiseMax(0);
-  const Cell high = (box.max - origin).cwiseMin(kBlockEdge);
+  // Clipped first: from one end of the indices to the other lie more cells than an int counts.
+  const Cell end = origin + Cell::Constant(kBlockEdge);
+  const Cell low = box.min.cwiseMax(origin) - origin;
+  const Cell high = box.max.cwiseMin(end) - origin;
   return CellsBetween(low, high - Cell::Ones()).mask();
 }
 

@@ -71,7 +71,7 @@ bool CellBlocks::contains(const Cell& cell) const {
 }
 
 bool CellBlocks::holds(const CellBox& box) const {
-  return bounds_.contains(box) && count(box) == box.extent().prod();
+  return bounds_.contains(box) && static_cast<double>(count(box)) == box.volume();
 }
 
 // By neighbours on one axis after the other: together the Chebyshev ball.

@@ -90,8 +90,10 @@ bool CellBlocks::for_each_block(const CellBox& box, const Use& use) const {
   };
   const Cell first = block_origin(region.min);
   const Cell last = block_origin(region.max - Cell::Ones());
-  const auto steps = ((last - first) / kBlockEdge + Cell::Ones()).cast<std::int64_t>();
-  if (steps.eval().prod() > static_cast<std::int64_t>(blocks_.size())) {
+  // In double: from one end of the indices to the other lie more blocks than 64 bits count.
+  const Eigen::Vector3d steps =
+      (last.cast<double>() - first.cast<double>()) / kBlockEdge + Eigen::Vector3d::Ones();
+  if (steps.prod() > static_cast<double>(blocks_.size())) {
     for (const Block& block : blocks_) {
       const CellBox cells{.min = block.origin, .max = block.origin + Cell::Constant(kBlockEdge)};
       if (cells.overlaps(region) && !visit(block)) return false;

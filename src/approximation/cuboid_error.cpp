@@ -12,8 +12,18 @@ namespace rmap {
 
 namespace {
 
+constexpr std::int32_t kFarthest = kMaxCellIndex - kMinCellIndex;
+
+/// The cells at most so far from one. Cuboids may reach some cells beyond the limits of indices.
 CellBox around(const Cell& cell, std::int32_t distance) {
-  return {.min = (cell.array() - distance).matrix(), .max = (cell.array() + distance + 1).matrix()};
+  constexpr std::int64_t kEnd = std::int64_t{kMaxCellIndex} + 1000;
+  CellBox box;
+  for (int axis = 0; axis < 3; ++axis) {
+    box.min[axis] = static_cast<std::int32_t>(std::max(cell[axis] - std::int64_t{distance}, -kEnd));
+    box.max[axis] =
+        static_cast<std::int32_t>(std::min(cell[axis] + std::int64_t{distance} + 1, kEnd));
+  }
+  return box;
 }
 
 /// The larger of `least` and the distance from a cell to a set of which near(box) tells whether it
@@ -23,9 +33,9 @@ std::int32_t farther(std::int32_t least, const Cell& cell, const Near& near) {
   if (near(around(cell, least))) return least;
   std::int32_t out = least;     // nothing is so near
   std::int32_t in = least + 1;  // something is, once the loop is done
-  while (!near(around(cell, in))) {
+  while (in < kFarthest && !near(around(cell, in))) {
     out = in;
-    in = in < kMaxCellIndex / 2 ? 2 * in : kMaxCellIndex;
+    in = in < kFarthest / 2 ? 2 * in : kFarthest;
   }
   while (out + 1 < in) {
     const std::int32_t middle = out + (in - out) / 2;

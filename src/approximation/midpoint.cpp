@@ -20,8 +20,8 @@ class Midpoint {
       return;
     }
     int axis = 0;
-    (box.max - box.min).maxCoeff(&axis);
-    const std::int32_t middle = box.min[axis] + (box.max[axis] - box.min[axis]) / 2;
+    const std::int64_t longest = box.extent().maxCoeff(&axis);
+    const auto middle = static_cast<std::int32_t>(box.min[axis] + longest / 2);
     const auto upper = std::partition(cells.begin(), cells.end(),
                                       [&](const Cell& cell) { return cell[axis] < middle; });
     const auto lower_count = static_cast<std::size_t>(upper - cells.begin());
