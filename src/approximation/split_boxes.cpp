@@ -3,14 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <limits>
+#include <numeric>
 #include <queue>
 
 namespace rmap {
 
 namespace {
-
-std::int64_t volume_of(const CellBox& box) { return box.extent().prod(); }
 
 /// What lies in one slice of a box: how many cells, and the box around them.
 struct Slice {
@@ -23,14 +21,14 @@ struct Slice {
     count += other.count;
   }
   void add(const Cell& cell) { add(Slice{.count = 1, .box = box_of(cell)}); }
-  bool full() const { return count == volume_of(box); }
+  bool full() const { return static_cast<double>(count) == box.volume(); }
 };
 
 /// A place to cut, and how good it is.
 struct Cut {
   int axis = -1;
-  std::int32_t at = 0;  ///< first place of the upper part
-  std::int64_t volume = std::numeric_limits<std::int64_t>::max();  ///< of both parts
+  std::int32_t at = 0;       ///< first place of the upper part
+  double volume = 0;         ///< of both parts
   std::int64_t full = 0;     ///< volume of the larger part that is full
   std::int64_t balance = 0;  ///< volume of the smaller part
   bool reduces = false;      ///< the volume of the box
@@ -46,8 +44,8 @@ struct Cut {
 struct Node {
   CellBox box;
   std::int64_t count = 0;
-  std::int64_t leaves = 1;       ///< boxes in which it ends if it is not joined
-  std::int64_t leaf_volume = 0;  ///< their volume
+  std::int64_t leaves = 1;  ///< boxes in which it ends if it is not joined
+  double leaf_volume = 0;   ///< their volume
   std::uint32_t parent = 0;
   std::array<std::uint32_t, 2> children{};  ///< 0: none, since 0 is the root
 
@@ -63,31 +61,53 @@ class SplitTree {
 
  private:
   std::uint32_t build(std::span<Cell> cells, std::uint32_t parent);
+  void read_slices(std::span<const Cell> cells, const CellBox& box, int axis);
   Cut best_cut(std::span<const Cell> cells, const Slice& all);
   void summarise(std::uint32_t node);
   /// Makes a leaf of a node and of all below, which are part of the tree no more.
   void forget_below(std::uint32_t node);
   /// Empty volume that joining a node adds, for each box that it saves.
   double price(const Node& node) const {
-    return static_cast<double>(volume_of(node.box) - node.leaf_volume) /
-           static_cast<double>(node.leaves - 1);
+    return (node.box.volume() - node.leaf_volume) / static_cast<double>(node.leaves - 1);
   }
 
   std::vector<Cell> cells_;
   std::vector<Node> nodes_;
+  std::vector<std::int32_t> places_;  // of slices on the axis
   std::vector<Slice> slices_;
   std::vector<Slice> above_;
 };
 
+// One for each place on the axis, or where these are more than cells for each that has some.
+void SplitTree::read_slices(std::span<const Cell> cells, const CellBox& box, int axis) {
+  const std::int32_t low = box.min[axis];
+  const std::int64_t length = box.extent()[axis];
+  const bool dense = length <= static_cast<std::int64_t>(cells.size());
+  if (dense) {
+    places_.resize(static_cast<std::size_t>(length));
+    std::iota(places_.begin(), places_.end(), low);
+  } else {
+    places_.clear();
+    for (const Cell& cell : cells) places_.push_back(cell[axis]);
+    std::sort(places_.begin(), places_.end());
+    places_.erase(std::unique(places_.begin(), places_.end()), places_.end());
+  }
+  slices_.assign(places_.size(), {});
+  for (const Cell& cell : cells) {
+    const auto place =
+        dense ? cell[axis] - low
+              : std::lower_bound(places_.begin(), places_.end(), cell[axis]) - places_.begin();
+    slices_[static_cast<std::size_t>(place)].add(cell);
+  }
+}
+
 Cut SplitTree::best_cut(std::span<const Cell> cells, const Slice& all) {
-  const std::int64_t whole = volume_of(all.box);
+  const double whole = all.box.volume();
   Cut best;
   for (int axis = 0; axis < 3; ++axis) {
-    const std::int32_t low = all.box.min[axis];
-    const auto length = static_cast<std::size_t>(all.box.max[axis] - low);
-    if (length == 1) continue;
-    slices_.assign(length, {});
-    for (const Cell& cell : cells) slices_[static_cast<std::size_t>(cell[axis] - low)].add(cell);
+    if (all.box.extent()[axis] == 1) continue;
+    read_slices(cells, all.box, axis);
+    const std::size_t length = slices_.size();
     above_.assign(length + 1, {});
     for (std::size_t i = length; i-- > 0;) {
       above_[i] = above_[i + 1];
@@ -97,8 +117,8 @@ Cut SplitTree::best_cut(std::span<const Cell> cells, const Slice& all) {
     for (std::size_t i = 1; i < length; ++i) {
       below.add(slices_[i - 1]);
       const Slice& rest = above_[i];
-      Cut cut{.axis = axis, .at = low + static_cast<std::int32_t>(i)};
-      cut.volume = volume_of(below.box) + volume_of(rest.box);
+      Cut cut{.axis = axis, .at = places_[i - 1] + 1};
+      cut.volume = below.box.volume() + rest.box.volume();
       cut.reduces = cut.volume < whole;
       cut.full = std::max(below.full() ? below.count : 0, rest.full() ? rest.count : 0);
       cut.balance = std::min(volume_of(below.box), volume_of(rest.box));
@@ -130,7 +150,7 @@ void SplitTree::summarise(std::uint32_t index) {
   Node& node = nodes_[index];
   if (node.leaf()) {
     node.leaves = 1;
-    node.leaf_volume = volume_of(node.box);
+    node.leaf_volume = node.box.volume();
     return;
   }
   const Node& lower = nodes_[node.children[0]];
@@ -157,8 +177,8 @@ void SplitTree::join(double max_false) {
       queue.emplace(now, index);
       continue;
     }
-    const std::int64_t added = volume_of(node.box) - node.leaf_volume;
-    const auto volume = static_cast<double>(nodes_[0].leaf_volume + added);
+    const double added = node.box.volume() - node.leaf_volume;
+    const double volume = nodes_[0].leaf_volume + added;
     if (volume - count > max_false * volume) continue;
     const std::int64_t saved = node.leaves - 1;
     forget_below(index);
