@@ -157,7 +157,9 @@ CuboidBytes cuboid_bytes(std::span<const CountedCell> input, std::span<const Cub
   bytes.voxel_keys = 12 * cells.size();
   bytes.bit_blocks = 72 * cells.blocks().size();
   std::vector<Cell> leaves;
-  for (const CountedCell& counted : input) leaves.push_back(counted.cell);
+  // As keys of OctoMap, so that cells on both sides of 0 have one root.
+  const Cell key_of_zero = Cell::Constant(1 << (kOctomapDepth - 1));
+  for (const CountedCell& counted : input) leaves.push_back(counted.cell + key_of_zero);
   sort_unique(leaves);
   bytes.octomap = octree_bytes(leaves);
   bytes.octomap_pruned = pruned_octree_bytes(std::move(leaves));
