@@ -14,12 +14,14 @@ namespace {
 
 constexpr std::int32_t kFarthest = kMaxCellIndex - kMinCellIndex;
 
-/// The cells at most so far from one. Cuboids may reach some cells beyond the limits of indices.
+/// The cells at most so far from one.
 CellBox around(const Cell& cell, std::int32_t distance) {
-  constexpr std::int64_t kEnd = std::int64_t{kMaxCellIndex} + 1000;
+  constexpr std::int64_t kFirst = kMinCellIndex;
+  constexpr std::int64_t kEnd = std::int64_t{kMaxCellIndex} + 1;
   CellBox box;
   for (int axis = 0; axis < 3; ++axis) {
-    box.min[axis] = static_cast<std::int32_t>(std::max(cell[axis] - std::int64_t{distance}, -kEnd));
+    box.min[axis] =
+        static_cast<std::int32_t>(std::max(cell[axis] - std::int64_t{distance}, kFirst));
     box.max[axis] =
         static_cast<std::int32_t>(std::min(cell[axis] + std::int64_t{distance} + 1, kEnd));
   }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cstdint>
 #include <vector>
 
 namespace rmap {
@@ -79,6 +80,25 @@ DenseRegion::DenseRegion(std::span<const Cell> cells, const CellBox& region,
     dilate_across(rows, 2);
   }
   spread(allowed_);
+  forbid_beyond_limits();
+}
+
+void DenseRegion::forbid_beyond_limits() {
+  const CellBox all{.min = Cell::Zero(), .max = allowed_.size()};
+  for (int axis = 0; axis < 3; ++axis) {
+    const std::int64_t first = std::int64_t{kMinCellIndex} - origin_[axis];
+    const std::int64_t end = std::int64_t{kMaxCellIndex} + 1 - origin_[axis];
+    CellBox beyond = all;
+    if (first > 0) {
+      beyond.max[axis] = static_cast<std::int32_t>(first);
+      allowed_.reset(beyond);
+    }
+    if (end < all.max[axis]) {
+      beyond = all;
+      beyond.min[axis] = static_cast<std::int32_t>(end);
+      allowed_.reset(beyond);
+    }
+  }
 }
 
 }  // namespace rmap

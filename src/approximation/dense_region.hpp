@@ -13,7 +13,8 @@ namespace rmap {
 /// reach beyond: where dense algorithms work, with the region's own cells from 0 on.
 class DenseRegion {
  public:
-  /// Allowed are `cells`, which lie in `region`, and all that are at most limits.outer from them.
+  /// Allowed are `cells`, which lie in `region`, and all that are at most limits.outer from them,
+  /// within the limits of indices.
   DenseRegion(std::span<const Cell> cells, const CellBox& region, const CoverLimits& limits);
 
   const BitGrid& allowed() const { return allowed_; }
@@ -27,6 +28,8 @@ class DenseRegion {
   CellBox to_map(const CellBox& box) const { return {box.min + origin_, box.max + origin_}; }
 
  private:
+  void forbid_beyond_limits();
+
   Cell origin_;
   BitGrid allowed_;
 };
