@@ -176,11 +176,13 @@ Matrix3d nearest_to_identity(const Matrix3d& axes) {
   return best;
 }
 
-std::vector<Vector3f> sorted_points(std::span<const Vector3f> points) {
+/// Those that have a cell however they are turned about the origin.
+std::vector<Vector3f> sorted_points(std::span<const Vector3f> points, const Lattice& lattice) {
+  const double reach = lattice.resolution() * kMaxCellIndex;
   std::vector<Vector3f> sorted;
   sorted.reserve(points.size());
   std::copy_if(points.begin(), points.end(), std::back_inserter(sorted),
-               [](const Vector3f& point) { return point.allFinite(); });
+               [&](const Vector3f& point) { return point.cast<double>().norm() < reach; });
   std::sort(sorted.begin(), sorted.end(), [](const Vector3f& a, const Vector3f& b) {
     return std::lexicographical_compare(a.data(), a.data() + 3, b.data(), b.data() + 3);
   });
@@ -224,10 +226,10 @@ FrameEstimate estimate_frame(std::span<const Vector3f> all, const FrameOptions& 
   constexpr double kLeastAngle = 0.1 * kDegree;
   constexpr double kWorthIt = 0.9;
   const Lattice lattice(options.resolution);
-  const std::vector<Vector3f> points = sorted_points(all);
+  const std::vector<Vector3f> points = sorted_points(all, lattice);
   FrameEstimate estimate;
   if (points.empty()) {
-    estimate.why = "there are no points";
+    estimate.why = "there are no points within the limits";
     return estimate;
   }
   const Matrix3d axes = most_crowded_axes(points, lattice.resolution());

@@ -2,6 +2,7 @@
 
 #include "grid/cell_places.hpp"
 
+#include <algorithm>
 #include <cstdint>
 
 #include <Eigen/Eigenvalues>
@@ -22,7 +23,8 @@ struct Patch {
 };
 
 std::vector<Patch> patches_of(std::span<const Vector3f> points, double edge) {
-  const Lattice lattice(edge);
+  constexpr double kLargestEdge = 1e6;  // that a lattice has
+  const Lattice lattice(std::min(edge, kLargestEdge));
   std::vector<Patch> patches;
   CellPlaces places;
   for (const Vector3f& point : points) {
