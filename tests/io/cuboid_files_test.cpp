@@ -4,6 +4,7 @@
 #include <cstdlib>
 #include <limits>
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -84,7 +85,7 @@ TEST(CuboidFiles, have_known_endings) {
   for (const std::string ending : {".json", ".ply", ""}) {
     expect_error(
         ErrorKind::input,
-        "the ending of a" + ending + " is \"" + ending + "\", where .rcs and .csv are allowed",
+        fmt::format("the ending of a{0} is \"{0}\", where .rcs and .csv are allowed", ending),
         [&] { read_cuboids("a" + ending); });
   }
   for (const std::string ending : {".rcs", ".csv"}) {
