@@ -27,11 +27,11 @@ struct Slice {
 /// A place to cut, and how good it is.
 struct Cut {
   int axis = -1;
-  std::int32_t at = 0;       ///< first place of the upper part
-  double volume = 0;         ///< of both parts
-  std::int64_t full = 0;     ///< volume of the larger part that is full
-  std::int64_t balance = 0;  ///< volume of the smaller part
-  bool reduces = false;      ///< the volume of the box
+  std::int32_t at = 0;    ///< first place of the upper part
+  double volume = 0;      ///< of both parts
+  std::int64_t full = 0;  ///< volume of the larger part that is full
+  double balance = 0;     ///< volume of the smaller part
+  bool reduces = false;   ///< the volume of the box
 
   /// Less volume first; of those that save none, the one that peels off most, then the evenest.
   bool better_than(const Cut& other) const {
@@ -121,7 +121,7 @@ Cut SplitTree::best_cut(std::span<const Cell> cells, const Slice& all) {
       cut.volume = below.box.volume() + rest.box.volume();
       cut.reduces = cut.volume < whole;
       cut.full = std::max(below.full() ? below.count : 0, rest.full() ? rest.count : 0);
-      cut.balance = std::min(volume_of(below.box), volume_of(rest.box));
+      cut.balance = std::min(below.box.volume(), rest.box.volume());
       if (best.axis < 0 || cut.better_than(best)) best = cut;
     }
   }
