@@ -175,7 +175,11 @@ OctomapCells read_tree(const std::filesystem::path& file, const OctomapReadOptio
   ByteReader bytes(file, content);
   const Header header = HeaderReader(bytes).read();
   OctomapCells cells;
-  cells.resolution = Lattice(*header.resolution).resolution();
+  try {
+    cells.resolution = Lattice(*header.resolution).resolution();
+  } catch (const Error& error) {
+    throw Error(error.kind(), fmt::format("{} is of no use: its {}", file.string(), error.what()));
+  }
   TreeReader tree(bytes, options, cells);
   if (*header.nodes > 0) tree.read_inner(Cell::Constant(-(1 << (kDepth - 1))), kDepth - 1);
   if (tree.nodes() != *header.nodes) {
