@@ -26,8 +26,9 @@ struct CuboidBoundOptions {
 };
 
 /// Looks for many such cells: greedily, then by local search. Any result is a valid bound; cuboids
-/// must lose no cell (inner 0, sigma 1) for it to apply. The same for the same input. Cost: some
-/// microseconds a cell with outer 0, far more with larger ones.
+/// must lose no cell (inner 0, sigma 1) for it to apply. The same for the same input. Throws
+/// Error(input) when an option is out of range, Error(limit) when the box of the cells has more
+/// than 2^33 places. Cost: some microseconds a cell with outer 0, far more with larger ones.
 CuboidBound lower_bound(std::span<const CountedCell> cells, const CuboidBoundOptions& options = {});
 
 /// Whether the bound holds: all its cells are in `cells` and no two fit into an allowed cuboid.

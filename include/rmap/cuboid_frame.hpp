@@ -30,7 +30,8 @@ struct FrameEstimate {
 /// [RMAP 4.2]: from the normals of patches, refined to where coordinates crowd most. Of the 24
 /// equal rotations the one nearest to none. The cloud's own frame is kept unless a trial needs at
 /// least 10 % fewer cuboids. The order of the points does not matter. Throws Error(input) for a
-/// resolution that no lattice has. Cost: sorting the points, some 0.2 s, and two trials.
+/// resolution that no lattice has, or another option out of range. Cost: sorting the points, some
+/// 0.2 s, and two trials.
 FrameEstimate estimate_frame(std::span<const Vector3f> points, const FrameOptions& options = {});
 
 /// Where the lattice begins against the points.

@@ -13,6 +13,7 @@
 #include <Eigen/SVD>
 #include <fmt/format.h>
 
+#include <rmap/approximate.hpp>
 #include <rmap/counted_cells.hpp>
 #include <rmap/cuboid_frame.hpp>
 
@@ -226,6 +227,8 @@ FrameEstimate estimate_frame(std::span<const Vector3f> all, const FrameOptions& 
   constexpr double kLeastAngle = 0.1 * kDegree;
   constexpr double kWorthIt = 0.9;
   const Lattice lattice(options.resolution);
+  // Checked by the rules of the approximation that is to come.
+  approximate({}, {.outer = options.outer, .threads = options.threads});
   const std::vector<Vector3f> points = sorted_points(all, lattice);
   FrameEstimate estimate;
   if (points.empty()) {

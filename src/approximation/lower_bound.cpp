@@ -7,6 +7,9 @@
 #include <numeric>
 #include <random>
 
+#include <fmt/format.h>
+
+#include <rmap/approximate.hpp>
 #include <rmap/cuboid_bound.hpp>
 #include <rmap/error.hpp>
 
@@ -102,6 +105,13 @@ void IndependentCells::improve() {
 }  // namespace
 
 CuboidBound lower_bound(std::span<const CountedCell> cells, const CuboidBoundOptions& options) {
+  // Checked by the rules of the approximation that this is a bound of.
+  approximate({}, {.outer = options.outer});
+  constexpr double kMostSteps = 1e6;
+  if (!(options.steps_per_cell >= 0 && options.steps_per_cell <= kMostSteps)) {
+    throw Error(ErrorKind::input, fmt::format("steps_per_cell is {}: it must lie between 0 and {}",
+                                              options.steps_per_cell, kMostSteps));
+  }
   const CellBlocks blocks(cells);
   if (blocks.size() == 0) return {};
   constexpr double kMostPlaces = 1LL << 33;
