@@ -137,6 +137,9 @@ TEST(CuboidFrame, PoorCloudsKeepTheirFrame) {
   // Across the axes a line may be turned, but is not lost.
   EXPECT_NO_THROW(estimate_frame(turned(line, tilt(30, 20, 10)), options));
   EXPECT_THROW(estimate_frame(line, {.resolution = 0}), Error);
+  EXPECT_THROW(estimate_frame(line, {.resolution = 0.1, .outer = 4}), Error);
+  EXPECT_THROW(estimate_frame(line, {.resolution = 0.1, .outer = -1}), Error);
+  EXPECT_THROW(estimate_frame(line, {.resolution = 0.1, .threads = -1}), Error);
   EXPECT_THROW(estimate_frame(line, {.resolution = std::nan("")}), Error);
 }
 

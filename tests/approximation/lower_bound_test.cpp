@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <limits>
 
 #include <gtest/gtest.h>
 
@@ -126,6 +127,16 @@ TEST(LowerBound, RandomPairsThatFitAreRefused) {
   }
   EXPECT_GT(refused, 100);
   EXPECT_GT(accepted, 100);
+}
+
+TEST(LowerBound, OptionsAreChecked) {
+  const std::vector<CountedCell> cells{{{1, 2, 3}, 1}};
+  for (const int outer : {-1, 4}) EXPECT_THROW(lower_bound(cells, {.outer = outer}), Error);
+  for (const double steps :
+       {-1.0, std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
+    EXPECT_THROW(lower_bound(cells, {.steps_per_cell = steps}), Error);
+  }
+  EXPECT_EQ(lower_bound(cells, {.outer = 3, .steps_per_cell = 0}).cuboids(), 1u);
 }
 
 TEST(LowerBound, EndsWhereTheGridWouldBeTooLarge) {
