@@ -3,6 +3,7 @@
 #include "approximation/cover.hpp"
 #include "approximation/dense_region.hpp"
 #include "approximation/task_order.hpp"
+#include "grid/cell_places.hpp"
 
 #include <algorithm>
 #include <cstdint>
@@ -74,12 +75,16 @@ void TileCover::find_tiles() {
 }
 
 std::vector<std::vector<std::size_t>> TileCover::before() const {
+  CellPlaces places(tiles_.size());
+  const auto place_of = [&](std::uint32_t i) -> const Cell& { return tiles_[i].place; };
   std::vector<std::vector<std::size_t>> before(tiles_.size());
   for (std::size_t i = 0; i < tiles_.size(); ++i) {
-    for (std::size_t j = 0; j < i; ++j) {
-      const Cell apart = (tiles_[i].place - tiles_[j].place).cwiseAbs();
-      if (apart.maxCoeff() <= 1) before[i].push_back(j);
+    const Cell& place = tiles_[i].place;
+    for (int neighbour = 0; neighbour < 27; ++neighbour) {
+      const Cell step(neighbour % 3 - 1, neighbour / 3 % 3 - 1, neighbour / 9 - 1);
+      if (const auto earlier = places.find(place + step, place_of)) before[i].push_back(*earlier);
     }
+    places.add(place, CellPlaces::hash_of(place), place_of);
   }
   return before;
 }

@@ -67,8 +67,9 @@ void Merge::drop(std::uint32_t box) {
 // The best partners of a box among those that touch it or lie a cell away.
 void Merge::look_around(std::uint32_t box, bool only_later) {
   constexpr std::size_t kPartners = 12;
-  const CellBox around{.min = boxes_[box].min - Cell::Ones(),
-                       .max = boxes_[box].max + Cell::Ones()};
+  constexpr int kReach = 2;  // a gap of one cell, and a cell beyond it
+  const CellBox around{.min = (boxes_[box].min.array() - kReach).matrix(),
+                       .max = (boxes_[box].max.array() + kReach).matrix()};
   near_.clear();
   buckets_.for_each_near(around, [&](std::uint32_t other) {
     if (other != box && (!only_later || other > box) && boxes_[other].overlaps(around)) {

@@ -1,5 +1,6 @@
 #include "command/command.hpp"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 
 #include <rmap/approximate.hpp>
@@ -101,7 +102,7 @@ TEST_F(Approximate, gives_a_lower_bound_on_request) {
 }
 
 TEST_F(Approximate, takes_clouds_and_folders_in_a_frame) {
-  const Simulation room = make_simulation("tilted_room", {.noise = 0.005, .scans = 4});
+  const Simulation room = make_simulation("tilted_room", {.scans = 4, .noise = 0.005});
   std::filesystem::create_directory(folder() / "scans");
   ScanFolderWriter writer(folder() / "scans");
   std::vector<Vector3f> points;
@@ -137,10 +138,8 @@ TEST_F(Approximate, takes_clouds_and_folders_in_a_frame) {
 
   // A frame can be given.
   const auto& given = of_scans["frame"]["rotation"];
-  std::string quaternion;
-  for (const double number : given) {
-    quaternion += (quaternion.empty() ? "" : ",") + std::to_string(number);
-  }
+  const auto quaternion = fmt::format("{},{},{},{}", given[0].get<double>(), given[1].get<double>(),
+                                      given[2].get<double>(), given[3].get<double>());
   rmap_json({"approximate", "scans", "-o", "given.rcs", "--resolution", "0.1", "--frame",
              quaternion, "--preset", "compact"});
 }
