@@ -104,7 +104,9 @@ Matrix3d refined(Matrix3d axes, std::span<const PatchNormal> normals) {
 /// Turns axes about each of them, by smaller and smaller angles, to where coordinates crowd most.
 Matrix3d descended(Matrix3d axes, const CoordinateEntropy& entropy, double bin) {
   double least = entropy.of(axes, bin);
-  for (double step = 0.4 * kDegree; step > 0.0124 * kDegree; step /= 2) {
+  constexpr int kHalvings = 6;  // from 0.4 to 0.0125 degrees
+  double step = 0.4 * kDegree;
+  for (int halving = 0; halving < kHalvings; ++halving, step /= 2) {
     for (bool better = true; better;) {
       better = false;
       for (int axis = 0; axis < 3; ++axis) {
