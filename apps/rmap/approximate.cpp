@@ -57,7 +57,12 @@ std::uint64_t count_argument(const char* name, double value) {
 }
 
 ApproximationOptions options_of(const ApproximateArguments& arguments, bool preset_given) {
-  ApproximationOptions options = approximation_preset(arguments.preset);
+  ApproximationOptions options;
+  try {
+    options = approximation_preset(arguments.preset);
+  } catch (const Error& error) {
+    throw UsageError(error.what());
+  }
   options.method = arguments.method;
   options.weight = arguments.weight;
   options.threads = arguments.threads;
@@ -166,8 +171,11 @@ void add_approximate(CLI::App& app) {
             "one box for each cuboid in .urdf, .sdf, .xml (MuJoCo) or .scene (MoveIt).",
             "Presets: exact: the cuboids are the cells, nothing lost or added; default: at most "
             "25 % empty cells, none farther than one cell from an occupied one; compact: the same "
-            "without the share; sketch: two cells, and 2 % of the weight lost. --outer, --inner "
-            "and --max-false without --preset mean what they say and nothing more.",
+            "without the share; sketch: empty cells up to two cells off, 98 % of the weight in a "
+            "cuboid or next to one, and no cuboid that adds less than 4. --outer or --inner "
+            "without "
+            "--preset drop the share of 25 %; --max-false alone drops the limit of one cell and "
+            "takes the method split. --inner is for the method cover, --fill for midpoint.",
             "Cuboids come in the order of what they add: the first N of a list are the best "
             "picture with N. The answer tells what is lost and what is false, counted cell by "
             "cell."},

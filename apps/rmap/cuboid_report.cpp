@@ -36,7 +36,8 @@ Json json_of(const CuboidError& error) {
           {"lost_cells", error.lost_cells},
           {"lost_points", error.lost_points},
           {"lost_beyond_one", error.lost_beyond_one},
-          {"farthest_lost", error.farthest_lost},
+          {"farthest_lost",
+           error.cuboids == 0 && error.lost_cells > 0 ? Json(nullptr) : Json(error.farthest_lost)},
           {"false_cells", error.false_cells},
           {"false_share", error.false_share()},
           {"farthest_false", error.farthest_false}};
@@ -56,6 +57,7 @@ Json json_of_frame(const Pose& frame) {
 }
 
 std::string error_lines(const CuboidError& error) {
+  if (error.cuboids == 0) return fmt::format("lost         all {}\n", counted(error.cells, "cell"));
   return fmt::format(
       "lost         {} of {} and {} of {}; {} farther than a cell, the farthest {}\n"
       "false        {} of {} ({:.1f} %), the farthest {} from an occupied one\n",
@@ -90,6 +92,8 @@ std::vector<std::string> remarks(const CuboidEvaluation& evaluation) {
   const CuboidError& error = evaluation.error;
   const CuboidBytes& bytes = evaluation.bytes;
   std::vector<std::string> remarks;
+  constexpr std::uint64_t kFew = 1000;  // cells of which nothing need be said
+  if (error.cells < kFew) return remarks;
   constexpr std::uint64_t kClearly = 2;
   if (error.cuboids > 0 && error.false_cells == 0 && error.lost_cells == 0 &&
       bytes.bit_blocks < kClearly * bytes.packed) {

@@ -18,7 +18,7 @@ namespace rmap {
 enum class CuboidMethod {
   automatic,  ///< cover; split where there is no `outer`
   cover,      ///< boxes as large as `outer` allows, and few of them; they may overlap
-  split,      ///< cut top down, pruned, and merged again under `max_false`
+  split,      ///< cut top down, and merged again under `outer` and `max_false`
   runs,       ///< rows joined to rectangles joined to boxes: disjoint, exact, fastest
   midpoint,   ///< the paper's recursion: shrink, accept by `fill`, else halve [RMAP 2.3]
 };
@@ -27,7 +27,8 @@ enum class CuboidMethod {
 struct ApproximationOptions {
   CuboidMethod method = CuboidMethod::automatic;
   /// A, 0 to 3: a cuboid may hold empty cells, none farther than this from an occupied one.
-  /// Nothing: as far as `max_false` allows, which only split does. Midpoint goes by `fill` alone.
+  /// Nothing: as far as `max_false` allows, which only split does. Midpoint goes by `fill` alone,
+  /// and runs are exact.
   std::optional<int> outer = 1;
   /// B, 0 to 3: an occupied cell may stay outside, none farther than this from a cuboid. Holds
   /// with sigma 1 and omega off.
@@ -37,7 +38,9 @@ struct ApproximationOptions {
   CuboidWeight weight = CuboidWeight::cells;
   /// Smallest weight that a cuboid must add to the list [RMAP 2.3]; 1: off.
   std::uint64_t omega = 1;
-  /// Largest share of empty cells in the volume of the union, in [0, 1).
+  /// Largest share of empty cells in the volume of the union of all cuboids, in [0, 1), for cover
+  /// and split; they then lose no cell, whatever `inner` is. What sigma, omega and max_cuboids
+  /// leave of the list may have a larger one.
   std::optional<double> max_false = 0.25;
   /// The list ends here.
   std::size_t max_cuboids = std::numeric_limits<std::size_t>::max();
@@ -50,8 +53,9 @@ struct ApproximationOptions {
 };
 
 /// Named choices: `exact` (nothing false, nothing lost), `default` (at most 25 % false, none
-/// farther than a cell), `compact` (empty cells up to one cell off), `sketch` (two cells off, 2 %
-/// of the weight lost). Throws Error(input) for another name.
+/// farther than a cell), `compact` (empty cells up to one cell off), `sketch` (empty cells up to
+/// two cells off, 98 % of the weight in a cuboid or next to one, no cuboid that adds less than 4).
+/// Throws Error(input) for another name.
 ApproximationOptions approximation_preset(std::string_view name);
 
 /// How a list of cuboids came about.
@@ -74,8 +78,8 @@ struct Approximation {
 
 /// Few cuboids for a set of occupied cells, which may come in any order and repeat. Lists for
 /// different sigma are prefixes of one another. The same for the same cells, however they are
-/// ordered, and for any number of threads. Throws Error(input) when an option is out of range.
-/// Cost, on an office of 186,000 cells: docs/benchmarks.md; memory: by cells.
+/// ordered, and for any number of threads. Throws Error(input) when an option is out of range, or
+/// as check_cells. Cost: microseconds a cell, docs/benchmarks.md; memory: by cells.
 Approximation approximate(std::span<const CountedCell> cells,
                           const ApproximationOptions& options = {});
 

@@ -11,7 +11,8 @@
 
 namespace rmap {
 
-/// An occupied cell, and how many points lie in it.
+/// An occupied cell, and how many points lie in it: one at least; what is beyond 2^32 - 1 is not
+/// counted.
 struct CountedCell {
   Cell cell;
   std::uint32_t points = 1;
@@ -34,6 +35,10 @@ QuantizedPoints quantize(std::span<const Vector3f> points, const Lattice& lattic
 
 /// The occupied cells of a map, with one point each; in the same order.
 std::vector<CountedCell> occupied_cells(const Grid& grid);
+
+/// Throws Error(limit) naming a cell beyond the limits of cell indices, Error(input) one without
+/// points. All that takes cells does so.
+void check_cells(std::span<const CountedCell> cells);
 
 /// Cells in any order and repeated, as `quantize` gives them: points of equal cells are added.
 std::vector<CountedCell> sorted_cells(std::vector<CountedCell> cells);

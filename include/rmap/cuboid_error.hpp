@@ -29,7 +29,7 @@ struct CuboidError {
 
 /// Compares cuboids with the cells, in any order, that they are an approximation of. Cost: by
 /// cells and by the volume of the union; memory: by blocks of 8 x 8 x 8 cells in either.
-/// Throws Error(limit) when the union has 2^40 cells or more.
+/// Throws Error(limit) when the union has 2^31 cells or more.
 CuboidError cuboid_error(std::span<const CountedCell> cells, std::span<const Cuboid> cuboids);
 
 /// Bytes that the same cells, or their cuboids, take in other forms.

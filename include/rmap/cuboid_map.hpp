@@ -37,7 +37,8 @@ class CuboidMap {
   /// Takes over what a grid tells of its changes, as Grid::changes_since gives them for the
   /// revision of the last call; `now` is the grid's revision then. Cost: some milliseconds for a
   /// change of a small region, by its cells and those at most 24 cells around; a change that
-  /// reaches far is cut into regions.
+  /// reaches far is cut into regions. Throws Error(usage) when the changes begin after revision(),
+  /// Error(limit) for a cell beyond the limits; the cuboids then stay as they were.
   void update(const Changes& changes);
   /// The same for cells and whether they are occupied now.
   void update(std::span<const CellState> cells);

@@ -26,7 +26,8 @@ struct CuboidChunk {
 };
 
 /// Boxes as chunks, in the order in which chunks are first met, each in the order of the list;
-/// boxes longer than 256 cells are cut. Points are not kept.
+/// boxes longer than 256 cells are cut. Points are not kept. Throws Error(limit) for a box that is
+/// empty or beyond the limits, and beyond 2^28 parts.
 std::vector<CuboidChunk> pack(std::span<const Cuboid> cuboids);
 /// The boxes of chunks, with 0 points.
 std::vector<Cuboid> unpack(std::span<const CuboidChunk> chunks);

@@ -24,6 +24,7 @@ constexpr int kMostThreads = 1024;
 // Room that the limited merge and the merge after a split leave for each other: merging costs
 // less empty volume for a box saved than pruning does.
 constexpr double kShareOfSplit = 0.7;
+constexpr double kAnyShare = 1;
 
 void require(bool holds, const std::string& sentence) {
   if (!holds) throw Error(ErrorKind::input, sentence);
@@ -78,7 +79,14 @@ std::vector<CellBox> cover_boxes(const CellBlocks& cells, const ApproximationOpt
 
 std::vector<CellBox> split_and_merge(const CellBlocks& cells, std::span<const CountedCell> sorted,
                                      const ApproximationOptions& options) {
-  const double max_false = options.max_false.value_or(0);
+  const double max_false = options.max_false.value_or(kAnyShare);
+  if (options.outer) {
+    // Only full boxes are known to keep to it before they are merged.
+    const std::vector<CellBox> full = split_boxes(sorted, 0);
+    if (*options.outer == 0) return full;
+    const CellBlocks allowed = cells.dilated(*options.outer);
+    return merge_boxes(cells, full, max_false, &allowed);
+  }
   if (max_false == 0) return split_boxes(sorted, 0);
   return merge_boxes(cells, split_boxes(sorted, kShareOfSplit * max_false), max_false, nullptr);
 }
@@ -119,6 +127,7 @@ ApproximationOptions approximation_preset(std::string_view name) {
 
 Approximation approximate(std::span<const CountedCell> input, const ApproximationOptions& options) {
   check(options);
+  check_cells(input);
   Approximation result;
   ApproximationReport& report = result.report;
   const Choice choice = choose(options);
@@ -150,7 +159,9 @@ Approximation approximate(std::span<const CountedCell> input, const Approximatio
   report.cells = cells.size();
   for (std::size_t i = 0; i < cells.size(); ++i) report.points += cells.points(i);
   report.weight = options.weight == CuboidWeight::cells ? report.cells : report.points;
-  const int inner = choice.method == CuboidMethod::cover ? options.inner : 0;
+  // Merged boxes hold every cell, and the others know no tolerance for what is lost.
+  const bool merged = options.max_false && options.outer != 0;
+  const int inner = choice.method == CuboidMethod::cover && !merged ? options.inner : 0;
   const std::vector<RankedBox> list = ranked(cells, boxes, options.weight, inner);
   const auto wanted =
       static_cast<std::uint64_t>(std::ceil(options.sigma * static_cast<double>(report.weight)));

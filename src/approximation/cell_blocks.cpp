@@ -22,6 +22,7 @@ CellBox bounds_of(const CellBlocks::Block& block) {
 }  // namespace
 
 CellBlocks::CellBlocks(std::span<const CountedCell> cells) {
+  check_cells(cells);
   std::uint32_t at = 0;
   for (const CountedCell& counted : cells) {
     const Cell origin = block_origin(counted.cell);

@@ -24,7 +24,7 @@ class CellBlocks {
   };
 
   CellBlocks() = default;
-  /// Cells may repeat: the points of equal ones are added.
+  /// Cells may repeat: the points of equal ones are added. Throws as check_cells.
   explicit CellBlocks(std::span<const CountedCell> cells);
 
   std::size_t size() const { return points_.size(); }

@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <limits>
 
+#include <fmt/format.h>
+
 #include <rmap/counted_cells.hpp>
+#include <rmap/error.hpp>
 #include <rmap/leaf.hpp>
 
 namespace rmap {
@@ -70,6 +73,21 @@ QuantizedPoints quantize(std::span<const Vector3f> points, const Lattice& lattic
   }
   result.cells = std::move(counter).sorted();
   return result;
+}
+
+void check_cells(std::span<const CountedCell> cells) {
+  for (const CountedCell& counted : cells) {
+    const Cell& cell = counted.cell;
+    if (!within_limits(cell)) {
+      throw Error(ErrorKind::limit,
+                  fmt::format("the cell ({}, {}, {}) is beyond the limits: indices lie in {} to {}",
+                              cell.x(), cell.y(), cell.z(), kMinCellIndex, kMaxCellIndex));
+    }
+    if (counted.points == 0) {
+      throw Error(ErrorKind::input,
+                  fmt::format("the cell ({}, {}, {}) has no points", cell.x(), cell.y(), cell.z()));
+    }
+  }
 }
 
 std::vector<CountedCell> sorted_cells(std::vector<CountedCell> cells) {

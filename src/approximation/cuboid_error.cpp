@@ -49,9 +49,9 @@ std::int32_t farther(std::int32_t least, const Cell& cell, const Near& near) {
 void check_volume(std::span<const Cuboid> cuboids) {
   double volume = 0;
   for (const Cuboid& cuboid : cuboids) volume += cuboid.cells.volume();
-  constexpr double kMost = 1LL << 40;
+  constexpr double kMost = 1LL << 31;
   if (volume >= kMost) {
-    throw Error(ErrorKind::limit, "the cuboids hold 2^40 cells or more: too many to look at each");
+    throw Error(ErrorKind::limit, "the cuboids hold 2^31 cells or more: too many to look at each");
   }
 }
 

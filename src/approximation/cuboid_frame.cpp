@@ -215,11 +215,16 @@ Matrix3d most_crowded_axes(std::span<const Vector3f> points, double resolution) 
   return nearest_to_identity(axes);
 }
 
+/// Cuboids for the cells in a frame; without those of a lone cell, which are as many in any frame
+/// and would drown the others where outliers are many.
 std::size_t trial(std::span<const Vector3f> points, const Pose& frame,
                   const FrameOptions& options) {
   const Lattice lattice(options.resolution);
   const CellBlocks cells(quantize(points, lattice, frame).cells);
-  return cover_by_tiles(cells, {.outer = options.outer, .reshape = false}, options.threads).size();
+  const std::vector<CellBox> boxes =
+      cover_by_tiles(cells, {.outer = options.outer, .reshape = false}, options.threads);
+  return static_cast<std::size_t>(std::count_if(
+      boxes.begin(), boxes.end(), [&](const CellBox& box) { return cells.count(box) > 1; }));
 }
 
 }  // namespace
@@ -228,6 +233,8 @@ FrameEstimate estimate_frame(std::span<const Vector3f> all, const FrameOptions& 
   constexpr double kLeastGain = 0.3;
   constexpr double kLeastAngle = 0.1 * kDegree;
   constexpr double kWorthIt = 0.9;
+  // A gain that speaks for itself: cuboids for many outliers would hide it in a trial.
+  constexpr double kClearGain = 1;
   const Lattice lattice(options.resolution);
   // Checked by the rules of the approximation that is to come.
   approximate({}, {.outer = options.outer, .threads = options.threads});
@@ -253,8 +260,8 @@ FrameEstimate estimate_frame(std::span<const Vector3f> all, const FrameOptions& 
   frame.linear() = axes;
   const auto now = static_cast<double>(trial(points, Pose::Identity(), options));
   const auto then = static_cast<double>(trial(points, frame, options));
-  estimate.cuboid_ratio = then / now;
-  if (estimate.cuboid_ratio > kWorthIt) {
+  estimate.cuboid_ratio = now == 0 ? 1 : then / now;
+  if (estimate.cuboid_ratio > kWorthIt && estimate.entropy_gain < kClearGain) {
     estimate.why =
         fmt::format("a trial in other axes needs {:.2f} times the cuboids", estimate.cuboid_ratio);
     return estimate;

@@ -8,8 +8,11 @@
 #include <map>
 #include <tuple>
 
+#include <fmt/format.h>
+
 #include <rmap/approximate.hpp>
 #include <rmap/cuboid_map.hpp>
+#include <rmap/error.hpp>
 #include <rmap/leaf.hpp>
 
 namespace rmap {
@@ -57,6 +60,7 @@ class CuboidMap::Implementation {
  public:
   Implementation(std::span<const CountedCell> cells, const CuboidMapOptions& options)
       : limits_(limits_of(options)), tree_(options.rtree) {
+    check_cells(cells);
     for (const CountedCell& counted : cells) cells_.set(counted.cell, true);
     std::vector<RTree<std::uint32_t>::Item> items;
     for (const CellBox& box : cover_by_tiles(CellBlocks(cells), limits_, options.threads)) {
@@ -156,6 +160,10 @@ void CuboidMap::Implementation::update(std::span<const CellState> states) {
     const Cell cube = cell.unaryExpr([](std::int32_t index) { return index & ~(kRegionEdge - 1); });
     return std::tuple(cube.z(), cube.y(), cube.x());
   };
+  for (const CellState& state : states) {  // before anything changes
+    const CountedCell cell{state.cell, 1};
+    check_cells({&cell, 1});
+  }
   std::map<std::tuple<std::int32_t, std::int32_t, std::int32_t>, CellBox> regions;
   for (const CellState& state : states) {
     if (cells_.contains(state.cell) == state.occupied) continue;
@@ -173,6 +181,12 @@ void CuboidMap::Implementation::update(std::span<const CellState> states) {
 
 // A list that is not complete names every occupied cell of its blocks: the others are not.
 void CuboidMap::Implementation::update(const Changes& changes) {
+  if (changes.since > revision) {
+    throw Error(ErrorKind::usage,
+                fmt::format("the changes begin at revision {}, and the cuboids stand for revision "
+                            "{}: what lies between is missing",
+                            changes.since, revision));
+  }
   std::vector<CellState> states;
   const auto forget = [&](const Cell& cell) { states.push_back({cell, false}); };
   if (!changes.blocks_complete) {

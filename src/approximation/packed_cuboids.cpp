@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 
+#include <rmap/error.hpp>
 #include <rmap/packed_cuboids.hpp>
 
 namespace rmap {
@@ -46,9 +47,25 @@ void for_each_part(const CellBox& box, const Use& use) {
   }
 }
 
+void check_parts(std::span<const Cuboid> cuboids) {
+  constexpr double kMostParts = 1 << 28;
+  double parts = 0;
+  for (const Cuboid& cuboid : cuboids) {
+    if (!all_cells().contains(cuboid.cells)) {
+      throw Error(ErrorKind::limit, "a cuboid is empty or beyond the limits of cell indices");
+    }
+    const Eigen::Array3d edges = cuboid.cells.extent().cast<double>().array();
+    parts += (edges / kChunkEdge).ceil().prod();
+  }
+  if (parts > kMostParts) {
+    throw Error(ErrorKind::limit, "the cuboids are too long to be packed: more than 2^28 parts");
+  }
+}
+
 }  // namespace
 
 std::vector<CuboidChunk> pack(std::span<const Cuboid> cuboids) {
+  check_parts(cuboids);
   std::vector<CuboidChunk> chunks;
   CellPlaces places;
   for (const Cuboid& cuboid : cuboids) {

@@ -172,6 +172,11 @@ class TreeReader {
 OctomapCells read_tree(const std::filesystem::path& file, const OctomapReadOptions& options) {
   InputFile input(file);
   const std::vector<std::byte> content = input.read_rest();
+  if (content.empty()) {
+    throw Error(ErrorKind::input, fmt::format("{} is empty: a map of OctoMap (.bt) begins with "
+                                              "\"{}\"",
+                                              file.string(), kMagic));
+  }
   ByteReader bytes(file, content);
   const Header header = HeaderReader(bytes).read();
   OctomapCells cells;

@@ -1,5 +1,6 @@
 // Cuboids of whole scenes: how far they are from the fewest that there can be, and how small they
 // are beside other forms of the same.
+#include "support/random.hpp"
 #include "support/real_cells.hpp"
 
 #include <algorithm>
@@ -154,21 +155,67 @@ TEST(SimulatedCuboids, of_a_noisy_room_are_nearly_as_few_as_can_be) {
   EXPECT_LE(ratio(cuboids_of(cells, "compact").size(), bound_of(cells, 1, 1)), 1.05);
 }
 
+constexpr double kDegree = std::numbers::pi / 180;
+
+Eigen::Matrix3d rotation(double yaw, double pitch, double roll) {
+  return (Eigen::AngleAxisd(yaw * kDegree, Vector3d::UnitZ()) *
+          Eigen::AngleAxisd(pitch * kDegree, Vector3d::UnitY()) *
+          Eigen::AngleAxisd(roll * kDegree, Vector3d::UnitX()))
+      .toRotationMatrix();
+}
+
+/// How far the estimated axes are from the true ones, up to their order and direction, degrees.
+double error_of_frame(std::vector<Vector3f> points, const Eigen::Matrix3d& tilt, int outer) {
+  for (Vector3f& point : points) point = (tilt * point.cast<double>()).cast<float>();
+  const FrameEstimate estimate = estimate_frame(points, {.resolution = 0.05, .outer = outer});
+  const Eigen::Matrix3d left = estimate.frame.linear() * tilt;
+  double error = 0;
+  for (int axis = 0; axis < 3; ++axis) {
+    error = std::max(error, std::acos(std::min(1.0, left.row(axis).cwiseAbs().maxCoeff())));
+  }
+  return error / kDegree;
+}
+
+TEST(SimulatedCuboids, frames_of_many_tilts_are_found) {
+  test::Random random(20);
+  SCOPED_TRACE(random.trace());
+  const std::vector<Vector3f> points = test::room_points(1000, 0.01);
+  for (int tilt = 0; tilt < 20; ++tilt) {
+    const auto turned = rotation(random.real(-45, 45), random.real(-15, 15), random.real(-15, 15));
+    EXPECT_LT(error_of_frame(points, turned, 1), 0.1) << "tilt " << tilt;
+  }
+}
+
+TEST(SimulatedCuboids, frames_of_poor_clouds_are_found) {
+  const Eigen::Matrix3d tilt = rotation(30, 8, -5);
+  EXPECT_LT(error_of_frame(test::wall_points(1, 4000, 0.01), tilt, 1), 0.1) << "floor only";
+  EXPECT_LT(error_of_frame(test::wall_points(2, 4000, 0.01), tilt, 1), 0.1) << "floor and wall";
+  EXPECT_LT(error_of_frame(test::room_points(110, 0.01), tilt, 1), 0.1) << "low density";
+  EXPECT_LT(error_of_frame(test::room_points(4000, 0.027), tilt, 1), 0.1) << "noise";
+  test::Random random(21);
+  SCOPED_TRACE(random.trace());
+  std::vector<Vector3f> points = test::room_points(2000, 0.01);
+  const auto outliers = points.size() * 35 / 65;
+  for (std::size_t i = 0; i < outliers; ++i) {
+    points.push_back(
+        Vector3d(random.real(-0.5, 6.5), random.real(-0.5, 5.5), random.real(-0.5, 3.2))
+            .cast<float>());
+  }
+  EXPECT_LT(error_of_frame(points, tilt, 0), 0.1) << "outliers, exact";
+  EXPECT_LT(error_of_frame(points, tilt, 1), 0.1) << "outliers";
+}
+
 TEST(SimulatedCuboids, of_a_tilted_room_are_those_of_the_room) {
   std::vector<Vector3f> points = test::room_points(4000, 0.01);
   const auto upright = quantize(points, Lattice(0.05)).cells;
-  const double degree = std::numbers::pi / 180;
-  const Eigen::Matrix3d tilt = (Eigen::AngleAxisd(30 * degree, Vector3d::UnitZ()) *
-                                Eigen::AngleAxisd(8 * degree, Vector3d::UnitY()) *
-                                Eigen::AngleAxisd(-5 * degree, Vector3d::UnitX()))
-                                   .toRotationMatrix();
+  const Eigen::Matrix3d tilt = rotation(30, 8, -5);
   for (Vector3f& point : points) point = (tilt * point.cast<double>()).cast<float>();
   const FrameEstimate estimate = estimate_frame(points, {.resolution = 0.05});
   EXPECT_FALSE(estimate.identity);
   // Up to the order and the direction of its axes the estimate undoes the tilt.
   const Eigen::Matrix3d left = estimate.frame.linear() * tilt;
   for (int axis = 0; axis < 3; ++axis) {
-    EXPECT_LT(std::acos(std::min(1.0, left.row(axis).cwiseAbs().maxCoeff())), 0.05 * degree);
+    EXPECT_LT(std::acos(std::min(1.0, left.row(axis).cwiseAbs().maxCoeff())), 0.05 * kDegree);
   }
   const auto cells = quantize(points, Lattice(0.05), estimate.frame).cells;
   EXPECT_LE(ratio(cuboids_of(cells, "exact").size(), cuboids_of(upright, "exact").size()), 1.03);

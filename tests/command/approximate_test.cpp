@@ -175,7 +175,7 @@ TEST_F(Approximate, refuses_what_makes_no_sense) {
   EXPECT_THAT(refused(1, {"--sigma", "0"}), HasSubstr("sigma"));
   EXPECT_THAT(refused(1, {"--max-false", "1"}), HasSubstr("max_false"));
   EXPECT_THAT(refused(2, {"--omega", "0"}), HasSubstr("whole number"));
-  EXPECT_THAT(refused(1, {"--preset", "tiny"}), HasSubstr("exact, default, compact, sketch"));
+  EXPECT_THAT(refused(2, {"--preset", "tiny"}), HasSubstr("exact, default, compact, sketch"));
   EXPECT_THAT(refused(2, {"--method", "magic"}), HasSubstr("midpoint"));
   EXPECT_THAT(refused(2, {"--frame", "1,2,3"}), HasSubstr("quaternion"));
   EXPECT_THAT(refused(2, {"--frame", "0,0,0,0"}), HasSubstr("--frame"));
