@@ -66,8 +66,8 @@ void Merge::drop(std::uint32_t box) {
 
 // The best partners of a box among those that touch it or lie a cell away.
 void Merge::look_around(std::uint32_t box, bool only_later) {
-  constexpr std::size_t kPartners = 12;
-  constexpr int kReach = 2;  // a gap of one cell, and a cell beyond it
+  constexpr std::size_t kPartners = 6;  // twice as many: 0.4 % fewer boxes, half as long again
+  constexpr int kReach = 2;             // a gap of one cell, and a cell beyond it
   const CellBox around{.min = (boxes_[box].min.array() - kReach).matrix(),
                        .max = (boxes_[box].max.array() + kReach).matrix()};
   near_.clear();

@@ -10,6 +10,9 @@
 #include <gtest/gtest.h>
 
 #include <rmap/approximate.hpp>
+#include <rmap/cuboid_bound.hpp>
+#include <rmap/cuboid_error.hpp>
+#include <rmap/cuboid_map.hpp>
 #include <rmap/error.hpp>
 
 namespace rmap {
@@ -35,6 +38,10 @@ std::vector<ApproximationOptions> many_options() {
     all.push_back(
         {.method = method, .weight = CuboidWeight::points, .max_false = 0.4, .fill = 0.5});
   }
+  all.push_back({.method = CuboidMethod::split, .outer = 0, .max_false = 0.5});
+  all.push_back({.method = CuboidMethod::split, .outer = 2, .max_false = 0.5});
+  all.push_back({.outer = std::nullopt, .max_false = 0.5});
+  all.push_back({.outer = 1, .inner = 1, .max_false = 0.2});
   return all;
 }
 
@@ -80,6 +87,21 @@ TEST(Approximate, RefusesEachOptionOutOfRange) {
   }
 }
 
+TEST(Approximate, RefusesCellsThatNoMapHas) {
+  constexpr std::int32_t kEnds[] = {std::numeric_limits<std::int32_t>::min(), kMinCellIndex - 1,
+                                    kMaxCellIndex + 1, std::numeric_limits<std::int32_t>::max()};
+  for (const std::int32_t end : kEnds) {
+    const std::vector<CountedCell> cells{{{0, 0, 0}, 1}, {{0, end, 0}, 1}};
+    for (const CuboidMethod method : kMethods) {
+      EXPECT_THROW(approximate(cells, {.method = method}), Error);
+    }
+    EXPECT_THROW(CuboidMap{cells}, Error);
+    EXPECT_THROW(lower_bound(cells), Error);
+    EXPECT_THROW(cuboid_error(cells, {}), Error);
+  }
+  EXPECT_THROW(approximate(std::vector<CountedCell>{{{0, 0, 0}, 0}}), Error);
+}
+
 TEST(Approximate, PresetsHaveNames) {
   EXPECT_THROW(approximation_preset("coarse"), Error);
   const ApproximationOptions exact = approximation_preset("exact");
@@ -108,9 +130,13 @@ TEST(Approximate, KeepsWhatEachMethodPromises) {
       ASSERT_FALSE(report.why.empty());
       const bool cover = report.method == CuboidMethod::cover;
       if (options.sigma == 1) {
-        const int outer = cover ? options.outer.value() : report.method == CuboidMethod::runs ? 0 : 1000;
-        if (outer < 1000) {
+        const bool midpoint = report.method == CuboidMethod::midpoint;
+        const int outer = report.method == CuboidMethod::runs ? 0 : options.outer.value_or(1000);
+        if (outer < 1000 && !midpoint) {
           ASSERT_EQ(test::violation(plain, boxes, outer, cover ? options.inner : 0), "");
+        }
+        if (options.max_false && !midpoint) {
+          ASSERT_LE(cuboid_error(input, result.cuboids).false_share(), *options.max_false + 1e-12);
         }
         ASSERT_EQ(cells_near(plain, result.cuboids, cover ? options.inner : 0), plain.size());
         ASSERT_EQ(report.covered, report.weight);

@@ -165,6 +165,25 @@ TEST(CuboidMap, OptionsAreChecked) {
   EXPECT_THROW(CuboidMap(none, {.threads = -1}), Error);
 }
 
+TEST(CuboidMap, StaysAsItWasWhenItRefuses) {
+  CuboidMap map(std::vector<CountedCell>{{{0, 0, 0}, 1}}, {.outer = 0});
+  EXPECT_THROW(map.update(std::vector<CellState>{
+                   {{5, 5, 5}, true}, {{0, 0, 0}, false}, {{kMaxCellIndex + 1, 0, 0}, true}}),
+               Error);
+  EXPECT_EQ(map.cells(), (std::vector<CountedCell>{{{0, 0, 0}, 1}}));
+  EXPECT_EQ(map.size(), 1u);
+
+  Grid grid({.resolution = 0.1});
+  grid.track_flips(100);
+  CuboidMap of_grid(grid);
+  grid.set({1, 2, 3}, 0.9);
+  const std::uint64_t between = grid.revision();
+  grid.set({4, 5, 6}, 0.9);
+  EXPECT_THROW(of_grid.update(grid.changes_since(between)), Error);
+  of_grid.update(grid.changes_since(of_grid.revision()));
+  EXPECT_EQ(of_grid.cell_count(), 2u);
+}
+
 TEST(CuboidMap, ReachesToTheLimits) {
   for (const int outer : {0, 2}) {
     const Cell low = Cell::Constant(kMinCellIndex);
