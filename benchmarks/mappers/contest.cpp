@@ -1,8 +1,8 @@
 #include "mappers/contest.hpp"
 
+#include "clock.hpp"
 #include "counted_heap.hpp"
 #include "mappers/asking.hpp"
-#include "clock.hpp"
 #include "support/plain_grid.hpp"
 
 #include <algorithm>
