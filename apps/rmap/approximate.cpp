@@ -173,8 +173,8 @@ void add_approximate(CLI::App& app) {
             "25 % empty cells, none farther than one cell from an occupied one; compact: the same "
             "without the share; sketch: empty cells up to two cells off, 98 % of the weight in a "
             "cuboid or next to one, and no cuboid that adds less than 4. --outer or --inner "
-            "without "
-            "--preset drop the share of 25 %; --max-false alone drops the limit of one cell and "
+            "without --preset drop the share of 25 %; --max-false alone drops the limit of one "
+            "cell and "
             "takes the method split. --inner is for the method cover, --fill for midpoint.",
             "Cuboids come in the order of what they add: the first N of a list are the best "
             "picture with N. The answer tells what is lost and what is false, counted cell by "

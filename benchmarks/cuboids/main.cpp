@@ -165,16 +165,15 @@ std::string table(const CellScene& scene, const std::vector<Figures>& figures) {
   std::string text = fmt::format(
       "### {}: {} cells of {:.4g} m\n\n"
       "| method | cuboids | cells each | of midpoint's | bound | of the bound | OctoMap / 24 B | "
-      "bit "
-      "blocks / 8 B | false | farthest | lost | ns/cell | of midpoint's | ranking | whole call | "
+      "bit blocks / 8 B | false | farthest | lost | ns/cell | of midpoint's | ranking | whole call "
+      "| "
       "two threads |\n|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|\n",
       scene.name, scene.cells.size(), scene.resolution);
   for (const Figures& one : figures) {
     const auto count = static_cast<double>(one.cuboids);
     text += fmt::format(
         "| {} | {} | {:.1f} | {:.3f} | {} | {} | {:.1f} | {:.1f} | {:.1f} % | {} | {:.1f} % | "
-        "{:.0f} | "
-        "{:.1f} | {:.0f} | {:.0f} | {:.2f} |\n",
+        "{:.0f} | {:.1f} | {:.0f} | {:.0f} | {:.2f} |\n",
         one.name, one.cuboids, ratio(static_cast<double>(one.error.cells), count),
         ratio(count, paper), one.bound == 0 ? "" : std::to_string(one.bound),
         one.bound == 0 ? "" : fmt::format("{:.4f}", count / static_cast<double>(one.bound)),
@@ -237,8 +236,7 @@ void run(const Arguments& arguments) {
         const Edits edits = edit(scene, outer, arguments.edits);
         markdown += fmt::format(
             "{} edits one by one, outer {}: {:.4f} times the cuboids of doing all again, {:.2f} ms "
-            "an "
-            "edit.\n\n",
+            "an edit.\n\n",
             arguments.edits, outer, edits.more, edits.milliseconds);
       }
     }

@@ -1,5 +1,6 @@
 #include "approximation/cover.hpp"
 
+#include "approximation/cell_boxes.hpp"
 #include "approximation/cover_registry.hpp"
 #include "approximation/maximal_boxes.hpp"
 
@@ -12,12 +13,6 @@
 namespace rmap {
 
 namespace {
-
-std::int64_t volume_of(const CellBox& box) { return box.extent().prod(); }
-
-CellBox grown_by(const CellBox& box, int cells) {
-  return {.min = (box.min.array() - cells).matrix(), .max = (box.max.array() + cells).matrix()};
-}
 
 class Cover {
  public:

@@ -1,5 +1,6 @@
 #include "approximation/cover_tiles.hpp"
 
+#include "approximation/cell_boxes.hpp"
 #include "approximation/cover.hpp"
 #include "approximation/dense_region.hpp"
 #include "approximation/task_order.hpp"
@@ -91,9 +92,7 @@ std::vector<std::vector<std::size_t>> TileCover::before() const {
 
 void TileCover::cover_tile(std::size_t index) {
   const CellBox& home = tiles_[index].home;
-  const CellBox region = intersection({.min = (home.min.array() - tiling_.halo).matrix(),
-                                       .max = (home.max.array() + tiling_.halo).matrix()},
-                                      cells_.bounds());
+  const CellBox region = intersection(grown_by(home, tiling_.halo), cells_.bounds());
   std::vector<Cell> places;
   cells_.for_each(region, [&](const Cell& cell, std::size_t) { places.push_back(cell); });
   const DenseRegion dense(places, region, limits_);
@@ -103,8 +102,7 @@ void TileCover::cover_tile(std::size_t index) {
   });
   for (const CellBox& box : cover(dense.allowed(), required, limits_, {})) {
     boxes_[index].push_back(dense.to_map(box));
-    const CellBox covered{.min = (boxes_[index].back().min.array() - limits_.inner).matrix(),
-                          .max = (boxes_[index].back().max.array() + limits_.inner).matrix()};
+    const CellBox covered = grown_by(boxes_[index].back(), limits_.inner);
     cells_.for_each(intersection(covered, region),
                     [&](const Cell&, std::size_t number) { done_[number] = 1; });
   }

@@ -1,5 +1,6 @@
 #include "approximation/block_masks.hpp"
 #include "approximation/cell_blocks.hpp"
+#include "approximation/cell_boxes.hpp"
 #include "approximation/cover.hpp"
 #include "approximation/cover_tiles.hpp"
 #include "approximation/dense_region.hpp"
@@ -23,10 +24,6 @@ namespace {
 constexpr int kReach = 24;
 /// Changes are taken together within cubes of so many cells.
 constexpr std::int32_t kRegionEdge = 64;
-
-CellBox grown_by(const CellBox& box, int cells) {
-  return {.min = (box.min.array() - cells).matrix(), .max = (box.max.array() + cells).matrix()};
-}
 
 /// The parts of a box outside another one that it overlaps, up to six.
 std::vector<CellBox> without(CellBox box, const CellBox& hole) {

@@ -1,5 +1,7 @@
 #include "approximation/ranking.hpp"
 
+#include "approximation/cell_boxes.hpp"
+
 #include <algorithm>
 #include <queue>
 
@@ -80,10 +82,7 @@ struct Promise {
 std::vector<RankedBox> ranked(const CellBlocks& cells, std::span<const CellBox> boxes,
                               CuboidWeight weight, int inner) {
   Uncovered uncovered(cells, weight);
-  const auto covered = [&](std::uint32_t box) -> CellBox {
-    return {.min = (boxes[box].min.array() - inner).matrix(),
-            .max = (boxes[box].max.array() + inner).matrix()};
-  };
+  const auto covered = [&](std::uint32_t box) { return grown_by(boxes[box], inner); };
   std::vector<Promise> promises;
   promises.reserve(boxes.size());
   for (std::uint32_t box = 0; box < boxes.size(); ++box) {
