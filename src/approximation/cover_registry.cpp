@@ -8,48 +8,29 @@ namespace {
 
 using Word = BitRows::Word;
 
-std::ptrdiff_t words_of(const BitRows& rows) {
-  return rows.words_in_row() * rows.size().y() * rows.size().z();
-}
-
 BitRows copy_of(const BitRows& rows) {
   BitRows copy(rows.size(), rows.axis());
   const Word* const words = rows.row(Cell::Zero());
-  std::copy(words, words + words_of(rows), copy.row(Cell::Zero()));
+  const std::ptrdiff_t count = rows.words_in_row() * rows.size().y() * rows.size().z();
+  std::copy(words, words + count, copy.row(Cell::Zero()));
   return copy;
 }
 
 }  // namespace
 
-CoverRegistry::CoverRegistry(const BitRows& required) : required_(copy_of(required)) {
-  const Word* const words = required_.row(Cell::Zero());
-  rank_.reserve(static_cast<std::size_t>(words_of(required_)));
-  std::uint32_t rank = 0;
-  for (std::ptrdiff_t word = 0; word < words_of(required_); ++word) {
-    rank_.push_back(rank);
-    rank += bit_count(words[word]);
-  }
-  covers_.resize(rank);
-}
+CoverRegistry::CoverRegistry(const BitRows& required)
+    : required_(copy_of(required)), numbers_(required_), covers_(numbers_.size()) {}
 
 template <class Use>
 void CoverRegistry::for_each_range(const CellBox& covered, const Use& use) const {
-  const Word* const words = required_.row(Cell::Zero());
   const Run run{covered.min.x(), covered.max.x() - 1};
-  Cell at = covered.min;
-  for (at.z() = covered.min.z(); at.z() < covered.max.z(); ++at.z()) {
-    for (at.y() = covered.min.y(); at.y() < covered.max.y(); ++at.y()) {
-      const Word* const row = required_.row({0, at.y(), at.z()});
-      BitRows::for_each_word(run, [&](std::ptrdiff_t word, Word mask) {
-        const Word cells = row[word] & mask;
-        if (cells == 0) return;
-        const Word lowest = mask & (~mask + 1);
-        const Word before = row[word] & (lowest - 1);
-        const std::uint32_t first =
-            rank_[static_cast<std::size_t>(row - words + word)] + bit_count(before);
-        use(first, bit_count(cells), cells,
-            Cell(static_cast<std::int32_t>(word * 64), at.y(), at.z()));
-      });
+  for (std::int32_t z = covered.min.z(); z < covered.max.z(); ++z) {
+    for (std::int32_t y = covered.min.y(); y < covered.max.y(); ++y) {
+      numbers_.for_each_range(
+          required_, {0, y, z}, run,
+          [&](std::uint32_t first, std::uint32_t count, std::ptrdiff_t word, Word cells) {
+            use(first, count, cells, Cell(static_cast<std::int32_t>(word * 64), y, z));
+          });
     }
   }
 }

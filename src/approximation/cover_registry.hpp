@@ -1,6 +1,7 @@
 #pragma once
 
 #include "approximation/bit_rows.hpp"
+#include "approximation/row_numbers.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -42,12 +43,13 @@ class CoverRegistry {
     std::uint32_t boxes = 0;  ///< exclusive or of the boxes' numbers: of one box, its number
   };
 
-  /// use(first, count) for runs of cells with numbers from `first` on.
+  /// use(first, count, cells, origin) for each word of a row with cells in the box: as RowNumbers has
+  /// them, and the place of the word.
   template <class Use>
   void for_each_range(const CellBox& covered, const Use& use) const;
 
   BitRows required_;
-  std::vector<std::uint32_t> rank_;  ///< by word: number of its first cell
+  RowNumbers numbers_;
   std::vector<Cover> covers_;        ///< by cell, numbered along the rows
   std::vector<std::uint32_t> sole_;  ///< by box
 };

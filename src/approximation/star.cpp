@@ -5,12 +5,13 @@
 
 namespace rmap {
 
-Stars::Stars(const BitGrid& allowed, const BitRows& cells) : allowed_(allowed), cells_(cells) {
+Stars::Stars(const BitGrid& allowed, const BitRows& cells)
+    : allowed_(allowed), cells_(cells), numbers_(cells) {
+  places_.reserve(numbers_.size());
   for (std::int32_t z = 0; z < cells.size().z(); ++z) {
     for (std::int32_t y = 0; y < cells.size().y(); ++y) {
       const BitRows::Word* const row = cells.row({0, y, z});
       for (std::ptrdiff_t word = 0; word < cells.words_in_row(); ++word) {
-        rank_.push_back(cell_count());
         for (BitRows::Word left = row[word]; left != 0; left &= left - 1) {
           const auto x = static_cast<std::int32_t>(word * 64 + std::countr_zero(left));
           places_.emplace_back(x, y, z);

@@ -1,11 +1,11 @@
 #pragma once
 
 #include "approximation/bit_grid.hpp"
+#include "approximation/row_numbers.hpp"
 
 #include <cstdint>
 #include <vector>
 
-#include <rmap/block.hpp>
 #include <rmap/cell.hpp>
 
 namespace rmap {
@@ -41,23 +41,17 @@ class Stars {
 
   const BitGrid& allowed_;
   const BitRows& cells_;
-  std::vector<std::uint32_t> rank_;  // by word: number of its first cell
+  RowNumbers numbers_;
   std::vector<Cell> places_;
   Layer middle_, layer_;
 };
 
 template <class Use>
 void Stars::use_layer(const Cell& cell, std::int32_t z, const Layer& layer, const Use& use) const {
-  const BitRows::Word* const words = cells_.row(Cell::Zero());
   const auto use_row = [&](std::int32_t y, const Run& run) {
-    const BitRows::Word* const row = cells_.row({0, y, z});
-    BitRows::for_each_word(run, [&](std::ptrdiff_t word, BitRows::Word mask) {
-      const BitRows::Word inside = row[word] & mask;
-      if (inside == 0) return;
-      const BitRows::Word lowest = inside & (~inside + 1);
-      use(rank_[static_cast<std::size_t>(row - words + word)] + bit_count(row[word] & (lowest - 1)),
-          bit_count(inside));
-    });
+    numbers_.for_each_range(cells_, {0, y, z}, run,
+                            [&](std::uint32_t first, std::uint32_t count, std::ptrdiff_t,
+                                BitRows::Word) { use(first, count); });
   };
   use_row(cell.y(), layer.column);
   for (std::size_t i = 0; i < layer.up.size(); ++i) {
