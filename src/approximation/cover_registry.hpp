@@ -43,8 +43,8 @@ class CoverRegistry {
     std::uint32_t boxes = 0;  ///< exclusive or of the boxes' numbers: of one box, its number
   };
 
-  /// use(first, count, cells, origin) for each word of a row with cells in the box: as RowNumbers has
-  /// them, and the place of the word.
+  /// use(first, count, cells, origin) for each word of a row with cells in the box: as RowNumbers
+  /// has them, and the place of the word.
   template <class Use>
   void for_each_range(const CellBox& covered, const Use& use) const;
 
