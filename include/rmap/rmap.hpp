@@ -39,6 +39,7 @@
 #include <rmap/scan.hpp>
 #include <rmap/scan_files.hpp>
 #include <rmap/scan_filter.hpp>
+#include <rmap/scan_read_options.hpp>
 #include <rmap/scan_source.hpp>
 #include <rmap/simulation.hpp>
 #include <rmap/value.hpp>

@@ -1,16 +1,27 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <iterator>
 #include <memory>
 #include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
 #include <rmap/scan.hpp>
+#include <rmap/scan_read_options.hpp>
 
 namespace rmap {
+
+/// What a source met in a pass beside the scans that it gave.
+struct ScanNotes {
+  std::uint64_t without_pose = 0;          ///< scans passed over because no pose is known for them
+  std::vector<std::string> warnings = {};  ///< a sentence each, for people
+
+  ScanNotes& operator+=(const ScanNotes& other);
+};
 
 /// Scans with poses, one after another: what every format of scans is read
 /// through. Holds one scan at a time, so the scans may be larger than memory.
@@ -33,6 +44,10 @@ class ScanSource {
 
   /// Number of scans of a whole pass, where it is known without reading them.
   virtual std::optional<std::size_t> size() const = 0;
+
+  /// Of this pass. To be asked when `next` has said that it is over: before, it may lack
+  /// what is still to come or read ahead of the caller.
+  virtual ScanNotes notes() const { return {}; }
 };
 
 /// Opens scans by what `path` is:
@@ -47,10 +62,12 @@ class ScanSource {
 ///
 /// The listing, the poses and their number are checked here, the scans when they
 /// are read: a pass with `next` to the end checks everything. Throws Error as `next`.
-std::unique_ptr<ScanSource> open_scans(const std::filesystem::path& path);
+std::unique_ptr<ScanSource> open_scans(const std::filesystem::path& path,
+                                       const ScanReadOptions& options = {});
 
 /// Opens several paths as one source, in the order given; at least one.
-std::unique_ptr<ScanSource> open_scan_sequence(const std::vector<std::filesystem::path>& paths);
+std::unique_ptr<ScanSource> open_scan_sequence(const std::vector<std::filesystem::path>& paths,
+                                               const ScanReadOptions& options = {});
 
 /// Reads the scans of `source`, which is not null, in a thread of its own, up to two ahead
 /// of the one that was asked for: reading and decoding run beside what the caller does
@@ -113,9 +130,10 @@ class ScanRange {
 };
 
 /// The scans of `open_scans(path)` as a range.
-ScanRange read_scans(const std::filesystem::path& path);
+ScanRange read_scans(const std::filesystem::path& path, const ScanReadOptions& options = {});
 
 /// The scans of `open_scan_sequence(paths)` as a range.
-ScanRange read_scan_sequence(const std::vector<std::filesystem::path>& paths);
+ScanRange read_scan_sequence(const std::vector<std::filesystem::path>& paths,
+                             const ScanReadOptions& options = {});
 
 }  // namespace rmap

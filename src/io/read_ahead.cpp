@@ -44,6 +44,7 @@ class ReadAhead final : public ScanSource {
   }
 
   std::optional<std::size_t> size() const override { return size_; }
+  ScanNotes notes() const override { return source_->notes(); }
 
  private:
   // What a call of the source's `next` came to.

@@ -129,11 +129,13 @@ std::vector<std::filesystem::path> list_scan_files(const std::filesystem::path& 
   return files;
 }
 
-std::unique_ptr<ScanSource> open_scan_folder(const std::filesystem::path& folder) {
+std::unique_ptr<ScanSource> open_scan_folder(const std::filesystem::path& folder,
+                                             const ScanReadOptions& /*options*/) {
   return std::make_unique<ScanFileSource>(list_posed_files(folder));
 }
 
-std::unique_ptr<ScanSource> open_scan_file(const std::filesystem::path& file) {
+std::unique_ptr<ScanSource> open_scan_file(const std::filesystem::path& file,
+                                           const ScanReadOptions& /*options*/) {
   check_regular(file);
   const std::filesystem::path folder = file.has_parent_path() ? file.parent_path() : ".";
   for (PosedFile& posed : list_posed_files(folder)) {

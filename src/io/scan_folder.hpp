@@ -17,9 +17,11 @@ inline constexpr const char* kPosesName = "poses.txt";
 std::vector<std::filesystem::path> list_scan_files(const std::filesystem::path& folder);
 
 /// Opens a folder of scan files with poses.txt beside them.
-std::unique_ptr<ScanSource> open_scan_folder(const std::filesystem::path& folder);
+std::unique_ptr<ScanSource> open_scan_folder(const std::filesystem::path& folder,
+                                             const ScanReadOptions& options);
 
 /// Opens one scan file of such a folder.
-std::unique_ptr<ScanSource> open_scan_file(const std::filesystem::path& file);
+std::unique_ptr<ScanSource> open_scan_file(const std::filesystem::path& file,
+                                           const ScanReadOptions& options);
 
 }  // namespace rmap

@@ -20,7 +20,8 @@ namespace {
 // recognises the path opens it, so special forms stand before general ones.
 struct ScanForm {
   bool (*recognises)(const std::filesystem::path& path);
-  std::unique_ptr<ScanSource> (*open)(const std::filesystem::path& path);
+  std::unique_ptr<ScanSource> (*open)(const std::filesystem::path& path,
+                                      const ScanReadOptions& options);
 };
 
 bool is_folder(const std::filesystem::path& path) { return std::filesystem::is_directory(path); }
@@ -63,6 +64,12 @@ class ScanSequence : public ScanSource {
     return total;
   }
 
+  ScanNotes notes() const override {
+    ScanNotes all;
+    for (const auto& source : sources_) all += source->notes();
+    return all;
+  }
+
  private:
   std::vector<std::unique_ptr<ScanSource>> sources_;
   std::size_t current_ = 0;
@@ -70,12 +77,19 @@ class ScanSequence : public ScanSource {
 
 }  // namespace
 
-std::unique_ptr<ScanSource> open_scans(const std::filesystem::path& path) {
+ScanNotes& ScanNotes::operator+=(const ScanNotes& other) {
+  without_pose += other.without_pose;
+  warnings.insert(warnings.end(), other.warnings.begin(), other.warnings.end());
+  return *this;
+}
+
+std::unique_ptr<ScanSource> open_scans(const std::filesystem::path& path,
+                                       const ScanReadOptions& options) {
   std::error_code code;
   const auto status = std::filesystem::status(path, code);
   if (!std::filesystem::exists(status)) throw system_error("open", path, code.value());
   for (const ScanForm& form : kForms) {
-    if (form.recognises(path)) return form.open(path);
+    if (form.recognises(path)) return form.open(path, options);
   }
   throw Error(ErrorKind::input,
               fmt::format("{} holds no scans as far as its name says: folders and files ending in "
@@ -83,13 +97,14 @@ std::unique_ptr<ScanSource> open_scans(const std::filesystem::path& path) {
                           path.string(), point_endings()));
 }
 
-std::unique_ptr<ScanSource> open_scan_sequence(const std::vector<std::filesystem::path>& paths) {
+std::unique_ptr<ScanSource> open_scan_sequence(const std::vector<std::filesystem::path>& paths,
+                                               const ScanReadOptions& options) {
   if (paths.empty()) {
     throw Error(ErrorKind::usage, "no path of scans is given: at least one is needed");
   }
   std::vector<std::unique_ptr<ScanSource>> sources;
   sources.reserve(paths.size());
-  for (const auto& path : paths) sources.push_back(open_scans(path));
+  for (const auto& path : paths) sources.push_back(open_scans(path, options));
   if (sources.size() == 1) return std::move(sources.front());
   return std::make_unique<ScanSequence>(std::move(sources));
 }
@@ -115,10 +130,13 @@ void ScanRange::advance() {
   at_end_ = !source_->next(scan_);
 }
 
-ScanRange read_scans(const std::filesystem::path& path) { return ScanRange(open_scans(path)); }
+ScanRange read_scans(const std::filesystem::path& path, const ScanReadOptions& options) {
+  return ScanRange(open_scans(path, options));
+}
 
-ScanRange read_scan_sequence(const std::vector<std::filesystem::path>& paths) {
-  return ScanRange(open_scan_sequence(paths));
+ScanRange read_scan_sequence(const std::vector<std::filesystem::path>& paths,
+                             const ScanReadOptions& options) {
+  return ScanRange(open_scan_sequence(paths, options));
 }
 
 }  // namespace rmap

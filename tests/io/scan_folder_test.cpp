@@ -41,7 +41,7 @@ TEST(ScanFolder, gives_scans_in_natural_order_with_their_poses) {
     write_scan(folder / fmt::format("scan{}.bin", number), static_cast<float>(number));
   }
   write_poses_along_x(folder.path(), 5);
-  const auto source = open_scan_folder(folder.path());
+  const auto source = open_scan_folder(folder.path(), {});
   EXPECT_EQ(source->size(), 5u);
   const std::vector<float> expected = {1, 2, 9, 10, 100};
   // Whatever a scan held before is gone.
@@ -96,7 +96,7 @@ TEST(ScanFolder, gives_one_file_the_pose_of_its_place) {
     write_scan(folder / fmt::format("{}.bin", i), static_cast<float>(i));
   }
   write_poses_along_x(folder.path(), 4);
-  const auto source = open_scan_file(folder / "10.bin");
+  const auto source = open_scan_file(folder / "10.bin", {});
   EXPECT_EQ(source->size(), 1u);
   Scan scan;
   ASSERT_TRUE(source->next(scan));
@@ -115,7 +115,7 @@ TEST(ScanFolder, goes_on_behind_a_scan_that_cannot_be_read) {
   write_text(folder / "1.bin", "garbage");
   std::filesystem::remove(folder / "3.bin");
   write_text(folder / "3.bin", "");
-  const auto source = open_scan_folder(folder.path());
+  const auto source = open_scan_folder(folder.path(), {});
   std::vector<float> good;
   int bad = 0;
   for (Scan scan;;) {
