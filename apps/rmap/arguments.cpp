@@ -195,6 +195,11 @@ CLI::Option* add_paths(CLI::App& app, const std::string& names,
       ->option_text(kAnyNumber);
 }
 
+CLI::Option* add_text(CLI::App& app, const std::string& names, std::string& target,
+                      const char* placeholder, const std::string& help) {
+  return with_placeholder(app.add_option(names, target, help), placeholder);
+}
+
 CLI::Option* add_texts(CLI::App& app, const std::string& name, std::vector<std::string>& target,
                        const std::string& help) {
   return app.add_option(name, target, help)->option_text(kAnyNumber);

@@ -65,6 +65,9 @@ CLI::Option* add_path(CLI::App& app, const std::string& names, std::filesystem::
                       const std::string& help, const char* placeholder = "FILE");
 CLI::Option* add_paths(CLI::App& app, const std::string& names,
                        std::vector<std::filesystem::path>& target, const std::string& help);
+/// A text as it is.
+CLI::Option* add_text(CLI::App& app, const std::string& names, std::string& target,
+                      const char* placeholder, const std::string& help);
 /// Any number of arguments, as they are.
 CLI::Option* add_texts(CLI::App& app, const std::string& name, std::vector<std::string>& target,
                        const std::string& help);

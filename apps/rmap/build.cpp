@@ -5,6 +5,7 @@
 #include "map_options.hpp"
 #include "output.hpp"
 #include "progress.hpp"
+#include "scan_options.hpp"
 #include "verbs.hpp"
 
 #include <chrono>
@@ -31,6 +32,7 @@ struct BuildArguments {
   std::filesystem::path output;
   std::filesystem::path onto;
   MapOptions map;
+  ScanOptions reading;
   History history = History::complete;
   ScanFilter filter;
   int every = 1;
@@ -54,7 +56,7 @@ class Stopwatch {
 class WantedScans {
  public:
   explicit WantedScans(const BuildArguments& arguments)
-      : source_(read_ahead(open_scan_sequence(arguments.scans))),
+      : source_(read_ahead(open_scan_sequence(arguments.scans, arguments.reading.options()))),
         filter_(arguments.filter),
         every_(static_cast<std::size_t>(arguments.every)) {}
 
@@ -82,6 +84,8 @@ class WantedScans {
     return true;
   }
 
+  /// Of the pass that is over.
+  ScanNotes notes() const { return source_->notes(); }
   /// What this pass has met so far.
   std::uint64_t points() const { return points_; }
   const ScanFilter::Counts& left_out() const { return left_out_; }
@@ -128,6 +132,7 @@ BuildReport insert_all(Grid& grid, WantedScans& scans, History history) {
   }
   report.points = scans.points();
   report.left_out = scans.left_out();
+  report.notes = scans.notes();
   return report;
 }
 
@@ -148,6 +153,7 @@ CheckReport check_all(const Options& options, WantedScans& scans) {
   }
   report.points = scans.points();
   report.left_out = scans.left_out();
+  report.notes = scans.notes();
   return report;
 }
 
@@ -210,19 +216,23 @@ void add_build(CLI::App& app) {
       verb,
       {.usage = "SCANS... -o MAP --resolution METRES [options]",
        .text =
-           {"A folder of scans holds .bin files (KITTI: float32 x y z intensity) or .pcd files in "
-            "the sensor's frame, and poses.txt with one pose a line, sensor to map: 12 numbers "
-            "(3x4 matrix by rows), 16, 7 (tx ty tz qx qy qz qw) or 8 (time first). One file of "
-            "such a "
-            "folder is that scan alone. Several SCANS follow one another.",
+           {"A folder of scans holds .bin files (KITTI: float32 x y z intensity), or .pcd, .ply, "
+            ".las, .xyz, .csv files in the sensor's frame, and poses.txt with one pose a line, "
+            "sensor to map: 12 numbers (3x4 matrix by rows), 16, 7 (tx ty tz qx qy qz qw) or 8 "
+            "(time first). Folders of 3DTK (.3d, .pose) and KITTI (velodyne, calib.txt) come as "
+            "they are; so do OctoMap's .graph and bags (.mcap, .db3, folders of rosbag2). One file "
+            "of a folder is that scan alone. Several SCANS follow one another.",
+            "A lone file has to say where its beams began: with a pose or origins in it, or "
+            "--sensor-origin, --sensor-pose or --end-points.",
             "The map does not depend on the order of points in a scan, --threads or --layout. "
             "Points that had no effect are counted by reason: points = inserted + cut + skipped.",
             "A box (BOX) is six numbers x0,y0,z0,x1,y1,z1 in metres."},
        .examples = {"rmap build street -o street.rmap --resolution 0.1",
                     "rmap build street -o near.rmap --resolution 0.05 --max-range 20 --ignore "
-                    "-1,-1,-2,1,1,1"}});
-  add_paths(verb, "SCANS", arguments->scans, "Folders of scans, or single scans of one.")
-      ->required();
+                    "-1,-1,-2,1,1,1",
+                    "rmap build site.las -o site.rmap --resolution 0.5 --offset 494000,4878000,0 "
+                    "--sensor-origin 494500,4878100,900"}});
+  add_paths(verb, "SCANS", arguments->scans, "Folders of scans, single scans, bags.")->required();
   add_path(verb, "-o,--output", arguments->output,
            "The map to write, ending in .rmap. Required, but for --dry-run.");
   add_word(verb, "--history", arguments->history,
@@ -243,6 +253,7 @@ void add_build(CLI::App& app) {
       "--dry-run", arguments->dry_run,
       "Read and check everything, write nothing; tells all problems, not only the first.");
   add_json_flag(verb, arguments->json);
+  arguments->reading.add_to(verb);
   arguments->map.add_to(verb);
   verb.callback([arguments] { run(*arguments); });
 }

@@ -22,6 +22,17 @@ std::array<Reason, 6> reasons(const SkippedPoints& skipped, const ScanFilter::Co
            {"ignored", left_out.ignored}}};
 }
 
+// One line for each thing, nothing when there is none.
+std::string words_of(const ScanNotes& notes) {
+  std::string text;
+  if (notes.without_pose > 0) {
+    text += fmt::format("  passed over {} without a pose\n", counted(notes.without_pose, "scan"));
+  }
+  for (const std::string& warning : notes.warnings)
+    text += fmt::format("  warning     {}\n", warning);
+  return text;
+}
+
 }  // namespace
 
 Json json_of(const SkippedPoints& skipped, const ScanFilter::Counts& left_out) {
@@ -44,6 +55,8 @@ Json json_of(const BuildReport& report, const BuiltMap& map) {
   const InsertReport& inserted = report.inserted;
   return {{"output", map.output.string()},
           {"scans", report.scans},
+          {"scans_without_pose", report.notes.without_pose},
+          {"warnings", report.notes.warnings},
           {"points", report.points},
           {"inserted", inserted.inserted},
           {"cut", inserted.cut},
@@ -66,24 +79,27 @@ Json json_of(const BuildReport& report, const BuiltMap& map) {
 std::string words_of(const BuildReport& report, const BuiltMap& map) {
   const InsertReport& inserted = report.inserted;
   return fmt::format(
-      "{}: {} with {}\n"
-      "  points      {} inserted, {} cut; skipped: {}\n"
-      "  cells       {}, {} of them occupied; {} new\n"
-      "  updates     {} hits, {} misses in {} end cells\n"
-      "  history     {}\n"
-      "  in memory   {}\n"
-      "  seconds     {:.2f} read, {:.2f} prepare, {:.2f} insert, {:.2f} save\n",
-      map.output.string(), counted(report.scans, "scan"), counted(report.points, "point"),
-      grouped(inserted.inserted), grouped(inserted.cut),
-      words_of(inserted.skipped, report.left_out), grouped(map.cells), grouped(map.occupied),
-      grouped(report.prepared_cells + inserted.new_cells), grouped(inserted.hits),
-      grouped(inserted.misses), grouped(inserted.end_cells), word_of(map.history),
-      readable_bytes(map.bytes_in_use.total()), report.seconds_read, report.seconds_prepare,
-      report.seconds_insert, report.seconds_save);
+             "{}: {} with {}\n"
+             "  points      {} inserted, {} cut; skipped: {}\n"
+             "  cells       {}, {} of them occupied; {} new\n"
+             "  updates     {} hits, {} misses in {} end cells\n"
+             "  history     {}\n"
+             "  in memory   {}\n"
+             "  seconds     {:.2f} read, {:.2f} prepare, {:.2f} insert, {:.2f} save\n",
+             map.output.string(), counted(report.scans, "scan"), counted(report.points, "point"),
+             grouped(inserted.inserted), grouped(inserted.cut),
+             words_of(inserted.skipped, report.left_out), grouped(map.cells), grouped(map.occupied),
+             grouped(report.prepared_cells + inserted.new_cells), grouped(inserted.hits),
+             grouped(inserted.misses), grouped(inserted.end_cells), word_of(map.history),
+             readable_bytes(map.bytes_in_use.total()), report.seconds_read, report.seconds_prepare,
+             report.seconds_insert, report.seconds_save) +
+         words_of(report.notes);
 }
 
 Json json_of(const CheckReport& report) {
   return {{"scans", report.scans},
+          {"scans_without_pose", report.notes.without_pose},
+          {"warnings", report.notes.warnings},
           {"points", report.points},
           {"skipped", json_of(report.skipped, report.left_out)},
           {"problems", report.problems}};
@@ -91,7 +107,8 @@ Json json_of(const CheckReport& report) {
 
 std::string words_of(const CheckReport& report) {
   return fmt::format("{} with {}; skipped: {}\n", counted(report.scans, "scan"),
-                     counted(report.points, "point"), words_of(report.skipped, report.left_out));
+                     counted(report.points, "point"), words_of(report.skipped, report.left_out)) +
+         words_of(report.notes);
 }
 
 }  // namespace rmap::command

@@ -9,6 +9,7 @@
 
 #include <rmap/grid.hpp>
 #include <rmap/scan_filter.hpp>
+#include <rmap/scan_source.hpp>
 
 namespace rmap::command {
 
@@ -19,6 +20,7 @@ struct BuildReport {
   InsertReport inserted = {};
   std::uint64_t prepared_cells = 0;  ///< made before the first insertion
   ScanFilter::Counts left_out = {};
+  ScanNotes notes = {};
 
   double seconds_read = 0;
   double seconds_prepare = 0;
@@ -49,6 +51,7 @@ struct CheckReport {
   std::uint64_t points = 0;
   SkippedPoints skipped = {};
   ScanFilter::Counts left_out = {};
+  ScanNotes notes = {};
   std::vector<std::string> problems = {};  ///< one sentence each
 };
 

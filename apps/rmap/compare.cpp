@@ -83,8 +83,7 @@ void print_cloud_comparison(const Grid& grid, const CloudComparison& found, bool
 }
 
 void run(const CompareArguments& arguments) {
-  const std::string ending = ending_of(arguments.b);
-  if (ending == ".bin" || ending == ".pcd") {
+  if (is_point_file(arguments.b)) {
     if (arguments.expect_equal) {
       throw UsageError("--expect-equal compares two maps: a cloud is never equal to one");
     }

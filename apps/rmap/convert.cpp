@@ -138,7 +138,7 @@ void run(const ConvertArguments& arguments) {
   for (const CLI::Option* option : arguments.map_options) refuse(option, "it is for maps");
   refuse(arguments.cells_option, "it is for maps");
   if (folder) return convert_scans(arguments);
-  if (ending == ".bin" || ending == ".pcd") return convert_cloud(arguments);
+  if (is_point_file(arguments.input)) return convert_cloud(arguments);
   throw Error(
       ErrorKind::input,
       fmt::format("the input {} is nothing that can be converted as far as its name says: a "

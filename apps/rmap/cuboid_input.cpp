@@ -125,7 +125,7 @@ CuboidInput read_cuboid_input(const std::filesystem::path& file,
   if (!folder && (ending == ".rmap" || ending == ".bt")) {
     return read_map(file, ending == ".bt", options);
   }
-  if (!folder && ending != ".bin" && ending != ".pcd") {
+  if (!folder && !is_point_file(file)) {
     throw Error(ErrorKind::input,
                 fmt::format("{} is no map (.rmap, .bt), no cloud (.bin, .pcd) and no folder of "
                             "scans",

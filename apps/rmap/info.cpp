@@ -28,14 +28,9 @@ Description describe(const std::filesystem::path& file, const LoadOptions& optio
   std::error_code missing;
   if (std::filesystem::is_directory(file, missing)) return describe_scans(file);
   const std::string ending = ending_of(file);
-  if (ending == ".bin" || ending == ".pcd") return describe_cloud(file);
+  if (ending == ".graph") return describe_scans(file);
+  if (is_point_file(file)) return describe_cloud(file);
   if (ending == ".rcs") return describe_cuboids(file);
-  if (ending == ".csv" || ending == ".ply") {
-    throw Error(ErrorKind::input,
-                fmt::format("{} is written for other programs and cannot be read: maps (.rmap), "
-                            "folders of scans, clouds (.bin, .pcd) and cuboids (.rcs) can",
-                            file.string()));
-  }
   // Whatever else it is called: the reader says what is wrong with a file that is none.
   return describe_map(file, options);
 }

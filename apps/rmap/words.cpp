@@ -85,6 +85,15 @@ std::span<const Word<Face>> words<Face>() {
 }
 
 template <>
+std::span<const Word<Frame>> words<Frame>() {
+  static constexpr std::array kWords = {
+      Word<Frame>{"sensor", Frame::sensor},
+      Word<Frame>{"world", Frame::map},
+  };
+  return kWords;
+}
+
+template <>
 std::span<const Word<History>> words<History>() {
   static constexpr std::array kWords = {
       Word<History>{"complete", History::complete},
@@ -98,6 +107,15 @@ std::span<const Word<Layout>> words<Layout>() {
   static constexpr std::array kWords = {
       Word<Layout>{"blocks", Layout::blocks},
       Word<Layout>{"cells", Layout::cells},
+  };
+  return kWords;
+}
+
+template <>
+std::span<const Word<QuaternionOrder>> words<QuaternionOrder>() {
+  static constexpr std::array kWords = {
+      Word<QuaternionOrder>{"xyzw", QuaternionOrder::xyzw},
+      Word<QuaternionOrder>{"wxyz", QuaternionOrder::wxyz},
   };
   return kWords;
 }

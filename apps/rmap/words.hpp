@@ -11,6 +11,7 @@
 #include <rmap/cast_ray.hpp>
 #include <rmap/cuboid_frame.hpp>
 #include <rmap/grid.hpp>
+#include <rmap/scan_read_options.hpp>
 #include <rmap/simulation/scene.hpp>
 
 namespace rmap::command {
@@ -50,9 +51,13 @@ std::span<const Word<CuboidWeight>> words<CuboidWeight>();
 template <>
 std::span<const Word<Face>> words<Face>();
 template <>
+std::span<const Word<Frame>> words<Frame>();
+template <>
 std::span<const Word<History>> words<History>();
 template <>
 std::span<const Word<Layout>> words<Layout>();
+template <>
+std::span<const Word<QuaternionOrder>> words<QuaternionOrder>();
 template <>
 std::span<const Word<Saturation>> words<Saturation>();
 template <>

@@ -8,6 +8,7 @@
 
 #include <rmap/pose.hpp>
 #include <rmap/scan.hpp>
+#include <rmap/scan_read_options.hpp>
 
 namespace rmap {
 
@@ -18,12 +19,17 @@ inline constexpr std::size_t kMaxPointsPerFile = std::size_t{1} << 28;
 /// without one.
 std::string ending_of(const std::filesystem::path& file);
 
-/// The points of one `.bin` or `.pcd` file, metres, in the order of the file, as
-/// described at `open_scans`. Points that are not finite stay in; coordinates
-/// beyond float32 become infinite. No poses are needed or used. Throws Error(input)
-/// for content that the format does not allow, Error(limit) for more than
+/// Whether `file` is named as a file of points that `read_points` reads; nothing is opened.
+bool is_point_file(const std::filesystem::path& file);
+
+/// The points of one file, metres, in the order of the file; the formats are those of
+/// `open_scans`. Points that are not finite stay in; coordinates beyond float32 become
+/// infinite. No poses are needed or used; `options.columns` says what a `.bin` holds,
+/// `options.offset` is taken off the points unless `options.frame` is the sensor's. Throws
+/// Error(input) for content that the format does not allow, Error(limit) for more than
 /// `kMaxPointsPerFile`, Error(io) for a file that cannot be read.
-std::vector<Vector3f> read_points(const std::filesystem::path& file);
+std::vector<Vector3f> read_points(const std::filesystem::path& file,
+                                  const ScanReadOptions& options = {});
 
 /// Writes points as `.bin` (intensity 0) or `.pcd` (binary x y z), by the ending of
 /// `file`; reading gives the same bits back. An empty `.bin` cannot be told from a
@@ -32,11 +38,13 @@ std::vector<Vector3f> read_points(const std::filesystem::path& file);
 void write_points(const std::filesystem::path& file, std::span<const Vector3f> points);
 
 /// The poses (sensor's frame to the map's) of a text file, one a line: 12 numbers
-/// (3x4 matrix, row by row), 16 (4x4), 7 (tx ty tz qx qy qz qw) or 8 (time, then
-/// these 7; the time is not kept), the same form in all lines, separated by blanks.
+/// (3x4 matrix, row by row), 16 (4x4), 7 (tx ty tz qx qy qz qw, unless `order` says
+/// qw first) or 8 (time, then these 7; the time is not kept), the same form in all lines, separated
+/// by blanks.
 /// `#` starts a comment; blank lines are skipped. Matrices must pass `check_pose` and
 /// are kept as they are; quaternions are normalised. Throws Error(input) with the line.
-std::vector<Pose> read_poses(const std::filesystem::path& file);
+std::vector<Pose> read_poses(const std::filesystem::path& file,
+                             QuaternionOrder order = QuaternionOrder::xyzw);
 
 /// Writes one line of 12 numbers a pose, 17 significant digits: reading gives the same
 /// poses back. Complete or not at all, as `write_points`.

@@ -26,6 +26,12 @@ struct BagReadOptions {
   std::optional<double> to = {};
 };
 
+/// In which order four numbers of a pose are a quaternion.
+enum class QuaternionOrder {
+  xyzw,  ///< ROS, TUM, Eigen's coefficients
+  wxyz,  ///< Hamilton's, as PCL writes it
+};
+
 /// How scans are to be understood where their files leave a choice or lack something.
 /// What has no meaning for the files at hand is an Error(usage) when they are opened.
 struct ScanReadOptions {
@@ -45,8 +51,11 @@ struct ScanReadOptions {
   /// Points at this distance from the sensor (metres, to 1e-6 of it) are directions without
   /// return: what some drivers write for a beam that came back to nobody.
   std::optional<double> no_return = {};
-  /// The columns of `.bin` files, float32 each. Empty: x, y, z, intensity.
+  /// The columns of `.bin` files: a name each, with its type behind a colon where it is not
+  /// f32 (f64, i8 to i64, u8 to u64). Needs x, y and z. Empty: x, y, z, intensity.
   std::vector<std::string> columns = {};
+  /// Of poses in text: of 7 or 8 numbers a line.
+  QuaternionOrder quaternion = QuaternionOrder::xyzw;
   /// Poses in a file of their own: TUM lines with times, or KITTI lines, one a scan.
   std::filesystem::path trajectory = {};
   /// Times of KITTI poses, one a line, seconds.

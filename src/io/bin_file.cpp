@@ -1,10 +1,12 @@
 #include "io/bin_file.hpp"
 
 #include "io/atomic_file.hpp"
+#include "io/bin_columns.hpp"
 #include "io/bytes.hpp"
 
 #include <algorithm>
 #include <cstdint>
+#include <string_view>
 
 #include <fmt/format.h>
 
@@ -18,30 +20,33 @@ namespace {
 constexpr std::size_t kPointSize = 16;
 constexpr std::size_t kPointsPerPiece = 16384;  // 256 KiB: stays in the cache
 
-void check_size(const InputFile& file) {
+}  // namespace
+
+void check_bin_size(const InputFile& file, std::string_view columns, std::size_t point_size) {
   if (file.size() == 0) {
     throw Error(ErrorKind::input,
                 fmt::format("{} is empty: a .bin scan holds at least one point of {} bytes",
-                            file.path().string(), kPointSize));
+                            file.path().string(), point_size));
   }
-  if (file.size() % kPointSize != 0) {
+  if (file.size() % point_size != 0) {
     throw Error(
         ErrorKind::input,
-        fmt::format("{} has {} bytes: a .bin scan holds {} bytes a point (float32 x, y, "
-                    "z, intensity), and {} are left over",
-                    file.path().string(), file.size(), kPointSize, file.size() % kPointSize));
+        fmt::format(
+            "{} has {} bytes: a .bin scan holds {} bytes a point ({}), and {} are left over",
+            file.path().string(), file.size(), point_size, columns, file.size() % point_size));
   }
-  if (file.size() / kPointSize > kMaxPointsPerFile) {
+  if (file.size() / point_size > kMaxPointsPerFile) {
     throw Error(ErrorKind::limit,
                 fmt::format("{} holds {} points: {} are allowed in a file", file.path().string(),
-                            file.size() / kPointSize, kMaxPointsPerFile));
+                            file.size() / point_size, kMaxPointsPerFile));
   }
 }
 
-}  // namespace
-
-void read_bin(InputFile& file, std::vector<Vector3f>& points) {
-  check_size(file);
+void read_bin(InputFile& file, const PointReadOptions& options, PointCloud& cloud) {
+  if (!options.columns.empty()) return read_bin_columns(file, options, cloud);
+  check_bin_size(file, "float32 x, y, z, intensity", kPointSize);
+  cloud.stored_as_floats = true;
+  std::vector<Vector3f>& points = cloud.points;
   points.resize(static_cast<std::size_t>(file.size() / kPointSize));
   std::vector<std::byte> piece(std::min(points.size(), kPointsPerPiece) * kPointSize);
   for (std::size_t begin = 0; begin < points.size(); begin += kPointsPerPiece) {

@@ -2,6 +2,7 @@
 
 #include "io/file_descriptor.hpp"
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
@@ -24,6 +25,8 @@ class InputFile {
   /// Fills `buffer` with the bytes that follow those read so far. Throws Error(io) when
   /// reading fails or the file ends before.
   void read(std::span<std::byte> buffer);
+  /// Passes over `count` bytes, at most as many as there are.
+  void skip(std::uint64_t count) { position_ = std::min(size_, position_ + count); }
   /// All bytes that follow those read so far.
   std::vector<std::byte> read_rest();
   /// The first bytes of the file, `most` or as many as there are; read() does not notice.

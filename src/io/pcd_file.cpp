@@ -5,6 +5,8 @@
 #include "io/bytes.hpp"
 #include "io/lzf.hpp"
 #include "io/pcd_header.hpp"
+#include "io/point_columns.hpp"
+#include "io/point_text.hpp"
 #include "io/text.hpp"
 
 #include <algorithm>
@@ -20,42 +22,6 @@ namespace {
 
 constexpr std::size_t kMaxPadding = 65536;  // the largest page in use
 
-// Where the values of one field lie: the first, and the bytes from one to the next.
-struct Column {
-  const std::byte* first;
-  std::size_t step;
-};
-
-template <class T>
-void copy_column(const Column& column, int axis, std::vector<Vector3f>& points) {
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    points[i][axis] = static_cast<float>(load_little<T>(column.first + i * column.step));
-  }
-}
-
-void copy_column(const PcdField& field, const Column& column, int axis,
-                 std::vector<Vector3f>& points) {
-  if (field.type == 'F') {
-    if (field.size == 4) return copy_column<float>(column, axis, points);
-    return copy_column<double>(column, axis, points);
-  }
-  const bool is_signed = field.type == 'I';
-  switch (field.size) {
-    case 1:
-      return is_signed ? copy_column<std::int8_t>(column, axis, points)
-                       : copy_column<std::uint8_t>(column, axis, points);
-    case 2:
-      return is_signed ? copy_column<std::int16_t>(column, axis, points)
-                       : copy_column<std::uint16_t>(column, axis, points);
-    case 4:
-      return is_signed ? copy_column<std::int32_t>(column, axis, points)
-                       : copy_column<std::uint32_t>(column, axis, points);
-    default:
-      return is_signed ? copy_column<std::int64_t>(column, axis, points)
-                       : copy_column<std::uint64_t>(column, axis, points);
-  }
-}
-
 // Early versions of PCL let the file reach a page beyond the data.
 bool is_padding(std::span<const std::byte> bytes) {
   return bytes.size() <= kMaxPadding && std::all_of(bytes.begin(), bytes.end(), [](std::byte byte) {
@@ -66,13 +32,16 @@ bool is_padding(std::span<const std::byte> bytes) {
 class PcdReader {
  public:
   PcdReader(const std::filesystem::path& file, std::span<const std::byte> bytes,
-            std::vector<Vector3f>& points)
+            const PointReadOptions& options, PointCloud& cloud)
       : file_(file),
         header_(parse_pcd_header(file, as_text(bytes))),
         data_(bytes.subspan(header_.size)),
-        points_(points) {}
+        options_(options),
+        cloud_(cloud),
+        points_(cloud.points) {}
 
   void read() {
+    if (!header_.viewpoint.matrix().isIdentity(0)) cloud_.map_from_sensor = header_.viewpoint;
     switch (header_.data) {
       case PcdData::ascii:
         return read_ascii();
@@ -87,45 +56,36 @@ class PcdReader {
   void read_ascii() {
     // A number takes a character and a blank; the last line may have no end.
     if (header_.points > (data_.size() + 1) / (2 * header_.words)) fail_length(data_.size());
-    resize_points();
+    check_count();
+    PointWords places{.point = words_of(header_.coordinates), .origin = std::nullopt};
+    if (header_.origins) places.origin = words_of(*header_.origins);
+    PointTextReader points(places, options_, cloud_);
+    points_.reserve(static_cast<std::size_t>(header_.points));
     LineReader lines(as_text(data_));
-    std::size_t read = 0;
     while (lines.next()) {
       std::string_view line = lines.line();
-      std::string_view rest = line;
-      if (next_word(rest).empty()) continue;
-      if (read == points_.size()) {
-        fail(header_.lines + lines.number(),
+      const std::size_t number = header_.lines + lines.number();
+      const std::vector<std::string_view>& words = split_.blanks(line);
+      if (words.empty()) continue;
+      if (points_.size() == header_.points) {
+        fail(number,
              fmt::format("the data go on behind the {} points that are announced", header_.points));
       }
-      points_[read++] = parse_point(line, header_.lines + lines.number());
+      if (words.size() != header_.words) {
+        fail(number, fmt::format("the point has {} numbers, which must be {} as the header says",
+                                 words.size(), header_.words));
+      }
+      points.add(file_, number, words);
     }
-    if (read < points_.size()) {
+    if (points_.size() < header_.points) {
       throw Error(ErrorKind::input,
                   fmt::format("{} is cut off: it announces {} points and holds {}", file_.string(),
-                              header_.points, read));
+                              header_.points, points_.size()));
     }
   }
 
-  Vector3f parse_point(std::string_view line, std::size_t number) const {
-    Vector3f point = Vector3f::Zero();
-    std::size_t words = 0;
-    for (auto word = next_word(line); !word.empty(); word = next_word(line), ++words) {
-      for (int axis = 0; axis < 3; ++axis) {
-        if (header_.coordinates[static_cast<std::size_t>(axis)].word != words) continue;
-        const auto value = parse_float(word);
-        if (!value) {
-          fail(number,
-               fmt::format("{} is {}, which must be a number", "xyz"[axis], in_quotes(word)));
-        }
-        point[axis] = *value;
-      }
-    }
-    if (words != header_.words) {
-      fail(number, fmt::format("the point has {} numbers, which must be {} as the header says",
-                               words, header_.words));
-    }
-    return point;
+  static std::array<std::size_t, 3> words_of(const std::array<PcdField, 3>& fields) {
+    return {fields[0].word, fields[1].word, fields[2].word};
   }
 
   void read_binary() {
@@ -133,12 +93,10 @@ class PcdReader {
     if (header_.points > data_.size() / header_.point_size) fail_length(data_.size());
     const auto size = static_cast<std::size_t>(header_.points) * header_.point_size;
     if (!is_padding(data_.subspan(size))) fail_length(data_.size());
-    resize_points();
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      const PcdField& field = header_.coordinates[axis];
-      copy_column(field, {.first = data_.data() + field.offset, .step = header_.point_size},
-                  static_cast<int>(axis), points_);
-    }
+    read_fields([&](const PcdField& field) {
+      return NumberColumn{
+          .first = data_.data() + field.offset, .step = header_.point_size, .type = field.type};
+    });
   }
 
   void read_compressed() {
@@ -158,23 +116,33 @@ class PcdReader {
     if (!announced) fail_length(size);
     const auto compressed = reader.take(compressed_size, "the compressed data");
     if (size / kMaxLzfRatio > compressed.size()) fail_compressed(reader, compressed_size, size);
-    resize_points();
+    check_count();
     std::vector<std::byte> values(size);
     if (!decompress_lzf(compressed, values)) fail_compressed(reader, compressed_size, size);
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      const PcdField& field = header_.coordinates[axis];
-      copy_column(field,
-                  {.first = values.data() + field.offset * points_.size(), .step = field.size},
-                  static_cast<int>(axis), points_);
-    }
+    read_fields([&](const PcdField& field) {
+      return NumberColumn{.first = values.data() + field.offset * header_.points,
+                          .step = size_of(field.type),
+                          .type = field.type};
+    });
   }
 
-  void resize_points() {
+  // `column` says where the numbers of a field lie.
+  template <class Column>
+  void read_fields(Column&& column) {
+    check_count();
+    const auto all = [&](const std::array<PcdField, 3>& fields) {
+      return std::array<NumberColumn, 3>{column(fields[0]), column(fields[1]), column(fields[2])};
+    };
+    PointColumns columns{.point = all(header_.coordinates), .origin = std::nullopt};
+    if (header_.origins) columns.origin = all(*header_.origins);
+    read_columns(columns, static_cast<std::size_t>(header_.points), options_, cloud_);
+  }
+
+  void check_count() const {
     if (header_.points > kMaxPointsPerFile) {
       throw Error(ErrorKind::limit, fmt::format("{} holds {} points: {} are allowed in a file",
                                                 file_.string(), header_.points, kMaxPointsPerFile));
     }
-    points_.resize(static_cast<std::size_t>(header_.points));
   }
 
   [[noreturn]] void fail_length(std::uint64_t bytes) const {
@@ -204,14 +172,17 @@ class PcdReader {
   const std::filesystem::path& file_;
   PcdHeader header_;
   std::span<const std::byte> data_;
-  std::vector<Vector3f>& points_;
+  const PointReadOptions& options_;
+  PointCloud& cloud_;
+  std::vector<Vector3f>& points_;  // the cloud's
+  WordSplitter split_;
 };
 
 }  // namespace
 
-void read_pcd(InputFile& file, std::vector<Vector3f>& points) {
+void read_pcd(InputFile& file, const PointReadOptions& options, PointCloud& cloud) {
   const std::vector<std::byte> bytes = file.read_rest();
-  PcdReader(file.path(), bytes, points).read();
+  PcdReader(file.path(), bytes, options, cloud).read();
 }
 
 void write_pcd(const std::filesystem::path& file, std::span<const Vector3f> points) {

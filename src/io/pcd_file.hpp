@@ -1,6 +1,7 @@
 #pragma once
 
 #include "io/input_file.hpp"
+#include "io/point_cloud.hpp"
 
 #include <cstdint>
 #include <filesystem>
@@ -8,17 +9,16 @@
 #include <span>
 #include <string>
 #include <string_view>
-#include <vector>
 
 #include <rmap/box.hpp>
 
 namespace rmap {
 
-/// Reads x, y, z of all points of a PCD file into `points`: any order, types and sizes
-/// of fields, ascii, binary, binary_compressed. The data must have exactly the length
-/// that the header announces, up to 64 KiB of zeros behind binary data aside; that is
-/// checked before memory is taken.
-void read_pcd(InputFile& file, std::vector<Vector3f>& points);
+/// Reads all points of a PCD file: any order, types and sizes of fields, ascii, binary,
+/// binary_compressed. A VIEWPOINT other than the identity is the sensor's pose. The data must have
+/// exactly the length that the header announces, up to 64 KiB of zeros behind binary data aside;
+/// that is checked before memory is taken.
+void read_pcd(InputFile& file, const PointReadOptions& options, PointCloud& cloud);
 
 /// Writes the points as binary float32 x y z.
 void write_pcd(const std::filesystem::path& file, std::span<const Vector3f> points);

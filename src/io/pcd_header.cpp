@@ -1,5 +1,6 @@
 #include "io/pcd_header.hpp"
 
+#include "io/point_columns.hpp"
 #include "io/text.hpp"
 
 #include <algorithm>
@@ -12,6 +13,7 @@
 #include <fmt/ranges.h>
 
 #include <rmap/error.hpp>
+#include <rmap/pose.hpp>
 
 namespace rmap {
 
@@ -40,6 +42,7 @@ class HeaderParser {
     header.lines = lines_.number();
     header.data = data();
     header.points = points();
+    header.viewpoint = viewpoint();
     lay_out(header);
     return header;
   }
@@ -95,32 +98,75 @@ class HeaderParser {
     return product;
   }
 
-  void lay_out(PcdHeader& header) const {
-    const std::vector<std::string_view>& names = required("FIELDS").words;
-    std::array<std::size_t, 3> found = {};
-    for (std::size_t i = 0; i < names.size(); ++i) {
-      const PcdField field{
-          .type = type(i), .size = size(i), .offset = header.point_size, .word = header.words};
-      const std::size_t numbers = count(i);
-      for (std::size_t axis = 0; axis < 3; ++axis) {
-        if (names[i] != kAxes[axis]) continue;
-        if (numbers != 1) {
-          fail(entry("COUNT").line,
-               fmt::format("COUNT of {} is {}, where 1 is allowed", kAxes[axis], numbers));
-        }
-        header.coordinates[axis] = field;
-        ++found[axis];
+  Pose viewpoint() const {
+    const Entry& found = entry("VIEWPOINT");
+    if (!found.line) return Pose::Identity();
+    std::array<double, 7> numbers = {};
+    for (std::size_t i = 0; i < found.words.size(); ++i) {
+      const auto number = parse_double(found.words[i]);
+      if (!number || i == numbers.size()) break;
+      numbers[i] = *number;
+      if (i + 1 < found.words.size() || i + 1 != numbers.size()) continue;
+      try {
+        return make_pose({numbers[0], numbers[1], numbers[2]},
+                         Eigen::Quaterniond(numbers[3], numbers[4], numbers[5], numbers[6]));
+      } catch (const Error& error) {
+        fail(found.line, fmt::format("VIEWPOINT is no pose: {}", error.what()));
       }
-      header.point_size += field.size * numbers;
-      header.words += numbers;
     }
-    if (found != std::array<std::size_t, 3>{1, 1, 1}) {
-      fail(entry("FIELDS").line, fmt::format("FIELDS is {}, which must have x, y and z once each",
-                                             in_quotes(fmt::format("{}", fmt::join(names, " ")))));
+    fail(found.line,
+         fmt::format("VIEWPOINT is {}, which must be seven numbers tx ty tz qw qx qy qz",
+                     in_quotes(fmt::format("{}", fmt::join(found.words, " ")))));
+  }
+
+  void lay_out(PcdHeader& header) const {
+    const std::vector<std::string_view>& words = required("FIELDS").words;
+    const std::vector<std::string> names(words.begin(), words.end());
+    std::vector<PcdField> fields;
+    for (std::size_t i = 0; i < names.size(); ++i) {
+      fields.push_back({.type = type(i), .offset = header.point_size, .word = header.words});
+      header.point_size += size_of(fields[i].type) * count(i);
+      header.words += count(i);
+    }
+    const auto found = find_point_fields(names);
+    if (!found) {
+      fail(entry("FIELDS").line,
+           fmt::format("FIELDS is {}, which must have {}",
+                       in_quotes(fmt::format("{}", fmt::join(names, " "))), kPointFieldNames));
+    }
+    header.coordinates = chosen(fields, found->point);
+    if (found->origin) header.origins = chosen(fields, *found->origin);
+  }
+
+  std::array<PcdField, 3> chosen(const std::vector<PcdField>& fields,
+                                 const std::array<std::size_t, 3>& places) const {
+    std::array<PcdField, 3> result;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const std::size_t place = places[axis];
+      if (count(place) != 1) {
+        fail(entry("COUNT").line, fmt::format("COUNT of {} is {}, where 1 is allowed",
+                                              required("FIELDS").words[place], count(place)));
+      }
+      result[axis] = fields[place];
+    }
+    return result;
+  }
+
+  NumberType type(std::size_t field) const {
+    const char kind = letter(field);
+    switch (size(field)) {
+      case 1:
+        return kind == 'I' ? NumberType::i8 : NumberType::u8;
+      case 2:
+        return kind == 'I' ? NumberType::i16 : NumberType::u16;
+      case 4:
+        return kind == 'F' ? NumberType::f32 : kind == 'I' ? NumberType::i32 : NumberType::u32;
+      default:
+        return kind == 'F' ? NumberType::f64 : kind == 'I' ? NumberType::i64 : NumberType::u64;
     }
   }
 
-  char type(std::size_t field) const {
+  char letter(std::size_t field) const {
     const std::string_view word = of_field("TYPE", field);
     if (word != "F" && word != "I" && word != "U") {
       fail(entry("TYPE").line, fmt::format("TYPE of field {} is {}, where F, I and U are allowed",
@@ -131,14 +177,14 @@ class HeaderParser {
 
   std::size_t size(std::size_t field) const {
     const std::string_view word = of_field("SIZE", field);
-    const bool real = type(field) == 'F';
+    const bool real = letter(field) == 'F';
     const auto value = parse_unsigned(word);
     const bool allowed =
         value && (*value == 4 || *value == 8 || (!real && (*value == 1 || *value == 2)));
     if (!allowed) {
       fail(entry("SIZE").line,
            fmt::format("SIZE of field {} is {}, where {} are allowed for TYPE {}", name(field),
-                       in_quotes(word), real ? "4 and 8" : "1, 2, 4 and 8", type(field)));
+                       in_quotes(word), real ? "4 and 8" : "1, 2, 4 and 8", letter(field)));
     }
     return static_cast<std::size_t>(*value);
   }
@@ -204,8 +250,6 @@ class HeaderParser {
     throw Error(ErrorKind::input,
                 fmt::format("{} is no sound PCD file: {}", file_.string(), problem));
   }
-
-  static constexpr std::array<std::string_view, 3> kAxes = {"x", "y", "z"};
 
   const std::filesystem::path& file_;
   LineReader lines_;

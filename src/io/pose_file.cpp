@@ -1,3 +1,5 @@
+#include "io/pose_file.hpp"
+
 #include "io/atomic_file.hpp"
 #include "io/input_file.hpp"
 #include "io/memory.hpp"
@@ -18,6 +20,7 @@ namespace rmap {
 namespace {
 
 constexpr std::size_t kMostNumbers = 16;
+constexpr std::size_t kHeadSize = 65536;  // enough for the first line behind some comments
 constexpr double kLastRowTolerance = 1e-6;
 
 struct Numbers {
@@ -68,17 +71,19 @@ void check_last_row(const Numbers& numbers) {
   }
 }
 
-Pose quaternion_pose(const double* values) {
+Pose quaternion_pose(const double* values, QuaternionOrder order) {
+  const double* const q = values + 3;
   return make_pose({values[0], values[1], values[2]},
-                   Eigen::Quaterniond(values[6], values[3], values[4], values[5]));
+                   order == QuaternionOrder::xyzw ? Eigen::Quaterniond(q[3], q[0], q[1], q[2])
+                                                  : Eigen::Quaterniond(q[0], q[1], q[2], q[3]));
 }
 
-Pose to_pose(const Numbers& numbers) {
+Pose to_pose(const Numbers& numbers, QuaternionOrder order) {
   switch (numbers.count) {
     case 7:
-      return quaternion_pose(numbers.values.data());
+      return quaternion_pose(numbers.values.data(), order);
     case 8:
-      return quaternion_pose(numbers.values.data() + 1);
+      return quaternion_pose(numbers.values.data() + 1, order);
     case 16:
       check_last_row(numbers);
       return matrix_pose(numbers);
@@ -87,7 +92,7 @@ Pose to_pose(const Numbers& numbers) {
   }
 }
 
-std::vector<Pose> parsed_poses(const std::filesystem::path& file) {
+std::vector<Pose> parsed_poses(const std::filesystem::path& file, QuaternionOrder order) {
   const std::vector<std::byte> bytes = InputFile(file).read_rest();
   std::vector<Pose> poses;
   std::size_t form = 0;  // numbers a line
@@ -111,7 +116,7 @@ std::vector<Pose> parsed_poses(const std::filesystem::path& file) {
                                    numbers.count, form));
     }
     try {
-      poses.push_back(to_pose(numbers));
+      poses.push_back(to_pose(numbers, order));
     } catch (const Error& error) {
       throw line_error(file, lines.number(), error.what());
     }
@@ -121,8 +126,20 @@ std::vector<Pose> parsed_poses(const std::filesystem::path& file) {
 
 }  // namespace
 
-std::vector<Pose> read_poses(const std::filesystem::path& file) {
-  return with_memory_for(file, [&] { return parsed_poses(file); });
+std::vector<Pose> read_poses(const std::filesystem::path& file, QuaternionOrder order) {
+  return with_memory_for(file, [&] { return parsed_poses(file, order); });
+}
+
+bool has_times(const std::filesystem::path& file) {
+  const std::vector<std::byte> head = InputFile(file).head(kHeadSize);
+  LineReader lines(as_text(head));
+  while (lines.next()) {
+    std::string_view rest = lines.line().substr(0, lines.line().find('#'));
+    std::size_t words = 0;
+    while (!next_word(rest).empty()) ++words;
+    if (words > 0) return words == 8;
+  }
+  return false;
 }
 
 void write_poses(const std::filesystem::path& file, std::span<const Pose> poses) {

@@ -1,11 +1,13 @@
 #include "io/scan_folder.hpp"
 
+#include "io/folder_poses.hpp"
 #include "io/natural_order.hpp"
 #include "io/point_formats.hpp"
+#include "io/scan_file.hpp"
+#include "io/scan_file_source.hpp"
 #include "io/system_error.hpp"
 
 #include <algorithm>
-#include <limits>
 #include <optional>
 #include <string>
 #include <system_error>
@@ -20,50 +22,11 @@ namespace rmap {
 
 namespace {
 
-struct PosedFile {
-  std::filesystem::path path;
-  Pose map_from_sensor;
-};
-
-class ScanFileSource : public ScanSource {
- public:
-  explicit ScanFileSource(std::vector<PosedFile> files) : files_(std::move(files)) {}
-
-  bool next(Scan& scan) override {
-    if (next_ == files_.size()) return false;
-    const PosedFile& file = files_[next_++];
-    scan.map_from_sensor = file.map_from_sensor;
-    scan.frame = Frame::sensor;
-    scan.origins.clear();
-    scan.no_returns.clear();
-    scan.sensor_range = std::numeric_limits<double>::infinity();
-    scan.name = file.path.string();
-    read_points_into(file.path, scan.points);
-    return true;
-  }
-
-  void rewind() override { next_ = 0; }
-  std::optional<std::size_t> size() const override { return files_.size(); }
-
- private:
-  std::vector<PosedFile> files_;
-  std::size_t next_ = 0;
-};
-
-bool is_scan_name(const std::filesystem::path& path) {
-  return !path.filename().native().starts_with('.') &&
-         find_point_format(ending_of(path)) != nullptr;
-}
-
-void check_regular(const std::filesystem::path& path) {
-  std::error_code code;
-  const auto status = std::filesystem::status(path, code);
-  if (std::filesystem::is_regular_file(status)) return;
-  if (code) throw system_error("open", path, code.value());
-  throw Error(
-      ErrorKind::input,
-      fmt::format("{} is {}, and must be a regular file as its name says", path.string(),
-                  std::filesystem::is_directory(status) ? "a folder" : "a pipe or a device"));
+// Whether a file of that name is a scan as the others of its folder are.
+bool is_scan_name(const std::filesystem::path& path, InFolder kind) {
+  const PointFormat* const format = find_point_format(ending_of(path));
+  return !path.filename().native().starts_with('.') && format != nullptr &&
+         format->in_folder == kind;
 }
 
 void check_one_format(const std::filesystem::path& folder,
@@ -78,49 +41,87 @@ void check_one_format(const std::filesystem::path& folder,
   }
 }
 
-std::vector<Pose> read_folder_poses(const std::filesystem::path& folder, std::size_t scans) {
-  const std::filesystem::path file = folder / kPosesName;
-  std::error_code code;
-  if (!std::filesystem::exists(file, code) && !code) {
-    throw Error(ErrorKind::input,
-                fmt::format("{} is missing: it must hold one pose for each of the {} scans of {}",
-                            file.string(), scans, folder.string()));
-  }
-  std::vector<Pose> poses = read_poses(file);
-  if (poses.size() != scans) {
-    throw Error(ErrorKind::input,
-                fmt::format("{} holds {} poses and {} holds {} scans: there must be one pose for "
-                            "each scan",
-                            file.string(), poses.size(), folder.string(), scans));
-  }
-  return poses;
+Error without_poses(const std::filesystem::path& folder, std::size_t scans) {
+  return {
+      ErrorKind::input,
+      fmt::format("{} is missing: it must hold one pose for each of the {} scans of {}. Or name "
+                  "a file of poses (--trajectory), or build from end points (--end-points)",
+                  (folder / kPosesName).string(), scans, folder.string())};
 }
 
-std::vector<PosedFile> list_posed_files(const std::filesystem::path& folder) {
-  std::vector<std::filesystem::path> paths = list_scan_files(folder);
-  if (paths.empty()) {
-    throw Error(ErrorKind::input, fmt::format("{} holds no scans: files ending in {} are allowed",
-                                              folder.string(), point_endings()));
+// Scans without poses of their own in the folder: what the files say themselves.
+std::vector<ScanFile> self_posed_files(const std::filesystem::path& folder,
+                                       std::vector<std::filesystem::path> paths,
+                                       const ScanReadOptions& options) {
+  std::vector<ScanFile> files;
+  bool any = false;
+  for (std::filesystem::path& path : paths) {
+    ScanFile file = describe_scan_file(path, options);
+    any = any || file.map_from_sensor;
+    // One of several viewpoints may be the identity and mean it.
+    if (!file.map_from_sensor) {
+      file.map_from_sensor = Pose(Eigen::Translation3d(-options.offset));
+    }
+    file.path = std::move(path);
+    files.push_back(std::move(file));
   }
-  const std::vector<Pose> poses = read_folder_poses(folder, paths.size());
-  std::vector<PosedFile> files;
-  files.reserve(paths.size());
-  for (std::size_t i = 0; i < paths.size(); ++i) {
-    files.push_back({.path = std::move(paths[i]), .map_from_sensor = poses[i]});
+  if (!any) throw without_poses(folder, files.size());
+  return files;
+}
+
+std::vector<ScanFile> end_point_files(const std::filesystem::path& folder,
+                                      std::vector<std::filesystem::path> paths,
+                                      const ScanReadOptions& options) {
+  if (!options.frame && find_folder_poses(folder, paths, options)) {
+    throw Error(ErrorKind::usage,
+                fmt::format("{} has poses, so its points are in the sensor's frame: end points "
+                            "(--end-points) are points in the map's; if these are, say so (--frame "
+                            "world)",
+                            folder.string()));
+  }
+  std::vector<ScanFile> files;
+  for (std::filesystem::path& path : paths) {
+    files.push_back({.path = std::move(path),
+                     .map_from_sensor = Pose::Identity(),
+                     .frame = Frame::map,
+                     .end_points = true});
   }
   return files;
 }
 
+// The folder that the scan files are in: of KITTI's layout the one of the lidar.
+std::filesystem::path scan_folder_in(const std::filesystem::path& folder) {
+  const std::filesystem::path lidar = folder / "velodyne";
+  std::error_code missing;
+  const bool nested =
+      std::filesystem::is_directory(lidar, missing) && list_scan_files(folder).empty();
+  return nested ? lidar : folder;
+}
+
 }  // namespace
+
+void check_regular(const std::filesystem::path& path) {
+  std::error_code code;
+  const auto status = std::filesystem::status(path, code);
+  if (std::filesystem::is_regular_file(status)) return;
+  if (code) throw system_error("open", path, code.value());
+  throw Error(
+      ErrorKind::input,
+      fmt::format("{} is {}, and must be a regular file as its name says", path.string(),
+                  std::filesystem::is_directory(status) ? "a folder" : "a pipe or a device"));
+}
 
 std::vector<std::filesystem::path> list_scan_files(const std::filesystem::path& folder) {
   std::vector<std::filesystem::path> files;
+  std::vector<std::filesystem::path> texts;
   std::error_code code;
   std::filesystem::directory_iterator entry(folder, code);
   for (; !code && entry != std::filesystem::directory_iterator(); entry.increment(code)) {
-    if (is_scan_name(entry->path())) files.push_back(entry->path());
+    if (is_scan_name(entry->path(), InFolder::scan)) files.push_back(entry->path());
+    if (is_scan_name(entry->path(), InFolder::text)) texts.push_back(entry->path());
   }
   if (code) throw system_error("list", folder, code.value());
+  if (files.empty()) files = std::move(texts);
   std::sort(files.begin(), files.end(), [](const auto& a, const auto& b) {
     return natural_less(a.filename().native(), b.filename().native());
   });
@@ -130,22 +131,29 @@ std::vector<std::filesystem::path> list_scan_files(const std::filesystem::path& 
 }
 
 std::unique_ptr<ScanSource> open_scan_folder(const std::filesystem::path& folder,
-                                             const ScanReadOptions& /*options*/) {
-  return std::make_unique<ScanFileSource>(list_posed_files(folder));
-}
-
-std::unique_ptr<ScanSource> open_scan_file(const std::filesystem::path& file,
-                                           const ScanReadOptions& /*options*/) {
-  check_regular(file);
-  const std::filesystem::path folder = file.has_parent_path() ? file.parent_path() : ".";
-  for (PosedFile& posed : list_posed_files(folder)) {
-    if (posed.path.filename() != file.filename()) continue;
-    posed.path = file;
-    return std::make_unique<ScanFileSource>(std::vector{std::move(posed)});
+                                             const ScanReadOptions& options) {
+  if (options.sensor_pose || options.sensor_origin) {
+    throw Error(ErrorKind::usage,
+                fmt::format("{} is a folder of scans: one sensor pose or origin is for a lone file",
+                            folder.string()));
   }
-  // Only a name that begins with a dot is not listed.
-  throw Error(ErrorKind::input,
-              fmt::format("{} is hidden: a scan's name must not begin with a dot", file.string()));
+  std::vector<std::filesystem::path> paths = list_scan_files(scan_folder_in(folder));
+  if (paths.empty()) {
+    throw Error(ErrorKind::input, fmt::format("{} holds no scans: files ending in {} are allowed",
+                                              folder.string(), folder_endings()));
+  }
+  if (options.end_points) {
+    return open_scan_files(end_point_files(folder, std::move(paths), options), options);
+  }
+  auto found = find_folder_poses(folder, paths, options);
+  if (!found) return open_scan_files(self_posed_files(folder, std::move(paths), options), options);
+  std::vector<ScanFile> files;
+  for (std::size_t i = 0; i < paths.size(); ++i) {
+    files.push_back({.path = std::move(paths[i]),
+                     .map_from_sensor = found->poses[i],
+                     .frame = options.frame.value_or(Frame::sensor)});
+  }
+  return open_scan_files(std::move(files), options, std::move(found->notes));
 }
 
 }  // namespace rmap

@@ -16,9 +16,11 @@ namespace rmap {
 
 ScanFolderWriter::ScanFolderWriter(std::filesystem::path folder, std::string ending)
     : folder_(std::move(folder)), ending_(std::move(ending)) {
-  if (find_point_format(ending_) == nullptr) {
-    throw Error(ErrorKind::input, fmt::format("the ending of the scans is {}, where {} are allowed",
-                                              in_quotes(ending_), point_endings()));
+  const PointFormat* const format = find_point_format(ending_);
+  if (format == nullptr || format->write == nullptr) {
+    throw Error(ErrorKind::input,
+                fmt::format("the ending of the scans is {}, where .bin and .pcd are allowed",
+                            in_quotes(ending_)));
   }
   std::error_code code;
   std::filesystem::create_directories(folder_, code);

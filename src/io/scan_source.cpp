@@ -1,4 +1,7 @@
+#include "io/graph_file.hpp"
+#include "io/no_returns.hpp"
 #include "io/point_formats.hpp"
+#include "io/scan_file.hpp"
 #include "io/scan_folder.hpp"
 #include "io/system_error.hpp"
 
@@ -26,12 +29,11 @@ struct ScanForm {
 
 bool is_folder(const std::filesystem::path& path) { return std::filesystem::is_directory(path); }
 
-bool is_point_file(const std::filesystem::path& path) {
-  return find_point_format(ending_of(path)) != nullptr;
-}
+bool is_graph(const std::filesystem::path& path) { return ending_of(path) == ".graph"; }
 
 constexpr std::array kForms = {
     ScanForm{.recognises = is_folder, .open = open_scan_folder},
+    ScanForm{.recognises = is_graph, .open = open_scan_graph},
     ScanForm{.recognises = is_point_file, .open = open_scan_file},
 };
 
@@ -89,11 +91,14 @@ std::unique_ptr<ScanSource> open_scans(const std::filesystem::path& path,
   const auto status = std::filesystem::status(path, code);
   if (!std::filesystem::exists(status)) throw system_error("open", path, code.value());
   for (const ScanForm& form : kForms) {
-    if (form.recognises(path)) return form.open(path, options);
+    if (!form.recognises(path)) continue;
+    auto source = form.open(path, options);
+    return options.no_return ? with_no_returns(std::move(source), *options.no_return)
+                             : std::move(source);
   }
   throw Error(ErrorKind::input,
               fmt::format("{} holds no scans as far as its name says: folders and files ending in "
-                          "{} are allowed",
+                          ".graph, {} are allowed",
                           path.string(), point_endings()));
 }
 

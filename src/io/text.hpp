@@ -40,6 +40,9 @@ class LineReader {
 /// when there is none.
 std::string_view next_word(std::string_view& text);
 
+/// Whether two words are the same but for capital letters of ASCII.
+bool same_letters(std::string_view a, std::string_view b);
+
 /// The number that is the whole of `word`, whatever the locale: also with a plus, as nan
 /// or inf. Nothing when it is none, or beyond the type.
 std::optional<double> parse_double(std::string_view word);

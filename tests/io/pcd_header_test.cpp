@@ -43,9 +43,9 @@ TEST(PcdHeader, finds_the_coordinates_in_any_order_of_fields) {
   EXPECT_EQ(header.point_size, 4u + 8 + 2 + 1 + 4 * 33);
   EXPECT_EQ(header.words, 37u);
   const auto& [x, y, z] = header.coordinates;
-  EXPECT_EQ(std::tuple(x.type, x.size, x.offset, x.word), std::tuple('U', 1u, 14u, 3u));
-  EXPECT_EQ(std::tuple(y.type, y.size, y.offset, y.word), std::tuple('I', 2u, 12u, 2u));
-  EXPECT_EQ(std::tuple(z.type, z.size, z.offset, z.word), std::tuple('F', 8u, 4u, 1u));
+  EXPECT_EQ(std::tuple(x.type, x.offset, x.word), std::tuple(NumberType::u8, 14u, 3u));
+  EXPECT_EQ(std::tuple(y.type, y.offset, y.word), std::tuple(NumberType::i16, 12u, 2u));
+  EXPECT_EQ(std::tuple(z.type, z.offset, z.word), std::tuple(NumberType::f64, 4u, 1u));
 }
 
 TEST(PcdHeader, does_without_what_does_not_matter) {

@@ -1,6 +1,7 @@
 #include "io/scan_folder.hpp"
 
 #include "io/files.hpp"
+#include "io/scan_file.hpp"
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
@@ -133,7 +134,9 @@ TEST(ScanFolder, goes_on_behind_a_scan_that_cannot_be_read) {
 TEST(ScanFolder, names_what_is_missing_or_too_many) {
   const test::TemporaryFolder folder;
   const std::string name = folder.path();
-  const std::string none = name + " holds no scans: files ending in .bin and .pcd are allowed";
+  const std::string none = name +
+                           " holds no scans: files ending in .bin, .pcd, .ply, .las, .laz, .3d, "
+                           ".xyz and .csv are allowed";
   expect_error(ErrorKind::input, none, [&] { open_scans(name); });
   write_text(folder / "notes.txt", "no scan");
   write_poses_along_x(folder.path(), 1);
@@ -152,9 +155,21 @@ TEST(ScanFolder, names_what_is_missing_or_too_many) {
   }
   std::filesystem::remove(poses);
   const std::string missing =
-      poses + " is missing: it must hold one pose for each of the 2 scans of " + name;
+      poses + " is missing: it must hold one pose for each of the 2 scans of " + name +
+      ". Or name a file of poses (--trajectory), or build from end points (--end-points)";
   expect_error(ErrorKind::input, missing, [&] { open_scans(name); });
-  expect_error(ErrorKind::input, missing, [&] { open_scans(folder / "1.bin"); });
+}
+
+TEST(ScanFolder, takes_text_for_scans_where_nothing_else_is) {
+  const test::TemporaryFolder folder;
+  write_text(folder / "0.csv", "1 0 0\n");
+  write_text(folder / "1.csv", "2 0 0\n");
+  write_poses_along_x(folder.path(), 2);
+  EXPECT_EQ(xs_of(folder.path()), (std::vector<float>{1, 2}));
+  // Beside scans a table is something else.
+  write_scan(folder / "0.bin", 3);
+  write_scan(folder / "1.bin", 4);
+  EXPECT_EQ(xs_of(folder.path()), (std::vector<float>{3, 4}));
 }
 
 TEST(ScanFolder, takes_one_format_only) {

@@ -1,0 +1,88 @@
+#include "io/graph_file.hpp"
+
+#include "io/files.hpp"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <rmap/error.hpp>
+
+namespace rmap {
+namespace {
+
+using test::raw;
+using test::write_text;
+
+std::string numbers(std::initializer_list<double> values) {
+  std::string text = raw(static_cast<std::uint32_t>(values.size()));
+  for (const double value : values) text += raw(value);
+  return text;
+}
+
+std::string node(double x, std::uint32_t id) {
+  return raw(std::uint32_t{2}) + numbers({x, 2, 3}) + numbers({4, 5, 6}) + numbers({10, 20, x}) +
+         numbers({0, 0, 0, 1}) + raw(id);
+}
+
+std::string graph() {
+  return raw(std::uint32_t{2}) + node(1, 7) + node(9, 8) + raw(std::uint32_t{0});
+}
+
+TEST(GraphFile, reads_scans_with_their_poses) {
+  const test::TemporaryFolder folder;
+  const std::string file = folder / "a.graph";
+  write_text(file, graph());
+  const auto source = open_scans(file, {.offset = {10, 0, 0}});
+  EXPECT_EQ(source->size(), 2u);
+  for (int pass = 0; pass < 2; ++pass, source->rewind()) {
+    Scan scan;
+    ASSERT_TRUE(source->next(scan));
+    ASSERT_TRUE(source->next(scan));
+    EXPECT_EQ(scan.points, (std::vector<Vector3f>{{9, 2, 3}, {4, 5, 6}}));
+    EXPECT_EQ(scan.map_from_sensor.translation(), Vector3d(0, 20, 9));
+    // The quaternion comes as w x y z: half a turn about z.
+    EXPECT_TRUE(transformed(scan.map_from_sensor, {1, 0, 0}).isApprox(Vector3d(-1, 20, 9)));
+    EXPECT_EQ(scan.name, file + ", scan 8");
+    EXPECT_FALSE(source->next(scan));
+  }
+}
+
+TEST(GraphFile, notices_every_cut) {
+  const test::TemporaryFolder folder;
+  const std::string file = folder / "a.graph";
+  const std::string whole = graph();
+  std::size_t cuts = 0;
+  for (std::size_t size = 0; size + 4 < whole.size(); ++size, ++cuts) {
+    write_text(file, whole.substr(0, size));
+    EXPECT_THROW(
+        {
+          const auto source = open_scans(file);
+          for (Scan scan; source->next(scan);) {
+          }
+        },
+        Error)
+        << size;
+  }
+  EXPECT_EQ(cuts, whole.size() - 4);
+}
+
+TEST(GraphFile, believes_no_number) {
+  const test::TemporaryFolder folder;
+  const std::string file = folder / "a.graph";
+  for (const std::size_t place : {0u, 4u, 8u, 64u}) {
+    std::string bytes = graph();
+    bytes.replace(place, 4, "\xff\xff\xff\x7f");
+    write_text(file, bytes);
+    EXPECT_THROW(
+        {
+          const auto source = open_scans(file);
+          for (Scan scan; source->next(scan);) {
+          }
+        },
+        Error)
+        << place;
+  }
+}
+
+}  // namespace
+}  // namespace rmap
