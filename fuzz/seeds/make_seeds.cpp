@@ -132,9 +132,9 @@ void add_octomaps(Seeds& seeds) {
   seeds.add("octomap", "free", octomap(2, {1}));
   path.push_back(0x2042);  // a free leaf and two occupied ones
   seeds.add("octomap", "leaves", octomap(19, path));
-  path.resize(10);
-  path.push_back(0x8001);  // an occupied leaf of 32^3 cells
-  seeds.add("octomap", "large_leaf", octomap(13, path));
+  path.resize(11);
+  path.push_back(0x8001);  // an occupied leaf of 16^3 cells
+  seeds.add("octomap", "large_leaf", octomap(14, path));
 }
 
 void add_texts(Seeds& seeds) {

@@ -40,8 +40,8 @@ void fail(const std::string& sentence) {
 }
 
 std::filesystem::path write_file(std::string_view bytes, const std::string& name) {
-  static const TemporaryFolder folder;
-  const std::filesystem::path file = folder.path() / name;
+  static const TemporaryFolder kFolder;
+  std::filesystem::path file = kFolder.path() / name;
   // Overwriting would have some file systems wait for the disk.
   std::filesystem::remove(file);
   std::ofstream stream(file, std::ios::binary);

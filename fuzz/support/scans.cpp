@@ -34,7 +34,8 @@ Pass read_to_the_end(const std::filesystem::path& file, ScanSource& source, std:
 
 void fuzz_scans(std::string_view bytes, const std::string& name, const ScanReadOptions& options) {
   const std::filesystem::path file = write_file(bytes, name);
-  write_file("0 0 0 0 0 0 1\n", "poses.txt");
+  // Once: it stays the same.
+  static const auto kPoses = write_file("0 0 0 0 0 0 1\n", "poses.txt");
   std::unique_ptr<ScanSource> source;
   if (!is_sound(file, [&] { source = open_scans(file, options); })) return;
   const std::size_t most = bytes.size() + 1;
