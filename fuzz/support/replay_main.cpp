@@ -49,7 +49,7 @@ int main(int argc, char** argv) {
     std::printf("%zu inputs, no finding\n", inputs);
     return 0;
   } catch (const std::exception& error) {
-    std::fprintf(stderr, "finding: %s\n", error.what());
+    std::fprintf(stderr, "replay: %s\n", error.what());
     return 1;
   }
 }
