@@ -35,7 +35,12 @@ bool NumberLines::next(std::span<double> numbers) {
   std::array<char, kLongestLine> buffer;
   while (stream_->getline(buffer.data(), buffer.size())) {
     ++line_;
-    std::string_view text(buffer.data());
+    // The end of the line is counted, but for a last line without one.
+    const auto read = static_cast<std::size_t>(stream_->gcount());
+    std::string_view text(buffer.data(), stream_->eof() ? read : read - 1);
+    if (text.find('\0') != std::string_view::npos) {
+      throw Error(ErrorKind::input, fmt::format("{} holds a zero byte: it must be text", place()));
+    }
     text = text.substr(0, text.find('#'));
     if (text.find_first_not_of(" \t\r") == std::string_view::npos) continue;
     if (!parse_numbers(text, numbers)) {

@@ -223,6 +223,9 @@ TEST_F(Query, WrongRequestsAreNamed) {
   EXPECT_THAT(rmap_refused(1, {"query", "map.rmap", "point", "--from", "-"},
                            {.input = std::string(10000, '1')}),
               HasSubstr("line 1 is longer"));
+  EXPECT_THAT(rmap_refused(1, {"query", "map.rmap", "point", "--from", "-"},
+                           {.input = "1,2,3\n1,2,3" + std::string(1, '\0') + ",4\n"}),
+              HasSubstr("standard input, line 2 holds a zero byte"));
   EXPECT_THAT(rmap_refused(1, {"query", "map.rmap", "point", "--from", "none.txt"}),
               testing::AllOf(HasSubstr("none.txt"), HasSubstr("No such file")));
   EXPECT_THAT(rmap_refused(1, {"query", "map.rmap", "point", "--from", "."}), HasSubstr("."));
