@@ -30,11 +30,13 @@ Description describe(const std::filesystem::path& file, const LoadOptions& optio
   const std::string ending = ending_of(file);
   if (ending == ".bin" || ending == ".pcd") return describe_cloud(file);
   if (ending == ".rcs") return describe_cuboids(file);
+  if (ending == ".bt" || ending == ".ot") return describe_octomap(file);
   if (ending == ".csv" || ending == ".ply") {
-    throw Error(ErrorKind::input,
-                fmt::format("{} is written for other programs and cannot be read: maps (.rmap), "
-                            "folders of scans, clouds (.bin, .pcd) and cuboids (.rcs) can",
-                            file.string()));
+    throw Error(
+        ErrorKind::input,
+        fmt::format("{} is written for other programs and cannot be read: maps (.rmap, .bt, .ot), "
+                    "folders of scans, clouds (.bin, .pcd) and cuboids (.rcs) can",
+                    file.string()));
   }
   // Whatever else it is called: the reader says what is wrong with a file that is none.
   return describe_map(file, options);
@@ -61,7 +63,8 @@ void add_info(CLI::App& app) {
   set_help(
       verb,
       {.usage = "FILE... [options]",
-       .text = {"A .rmap file is a map, a folder holds scans with poses, a .bin or .pcd file is "
+       .text = {"A .rmap file is a map, .bt and .ot are maps of OctoMap, a folder holds scans with "
+                "poses, a .bin or .pcd file is "
                 "a cloud of points, a .rcs file holds cuboids. All of it is read and checked. With "
                 "--json one file gives "
                 "an object, several an array of them; what is infinite or does not exist is "

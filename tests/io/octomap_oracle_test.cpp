@@ -86,7 +86,7 @@ TEST_F(OctomapOracle, RandomTreesAreReadAlike) {
     tree.prune();
     ASSERT_TRUE(tree.write(file("theirs.ot").string()));
     const OctomapImport map = import_octomap(file("theirs.ot"), {.keep_free = true});
-    EXPECT_EQ(map.grid.cell_count(), test::cell_log_odds(tree).size());
+    EXPECT_EQ(map.grid.cell_count(), test::cell_count_of(tree));
     EXPECT_EQ(map.file.nodes, tree.size());
     EXPECT_EQ(map.file.occupied_leaves + map.file.free_leaves, tree.getNumLeafNodes());
     EXPECT_EQ(map.changed_leaves + map.clamped_leaves, 0u);
