@@ -105,6 +105,21 @@ TEST_F(OctomapExports, WithAnotherThresholdTheStatesThatChangeAreCounted) {
   }
 }
 
+TEST_F(OctomapExports, AThresholdBelowOctomapsIsCountedLikewise) {
+  Grid grid({.resolution = 0.1, .prob_miss = 0.1, .prior = 0.2, .occupied_threshold = 0.3});
+  const std::vector<Value> values = {-900, -847, -846, -500, -1, 0, 5};  // -847 is the threshold
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    grid.set_value(Cell(static_cast<int>(i), 0, 0), values[i]);
+  }
+  const OctomapImport map = back(grid, ".ot");
+  EXPECT_EQ(exported_.changed_states, 3u);  // occupied here, free for OctoMap: -846, -500, -1
+  EXPECT_EQ(map.changed_leaves, 2u);
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    EXPECT_EQ(map.grid.cell_value(Cell(static_cast<int>(i), 0, 0)),
+              values[i] == -846 ? -847 : values[i]);
+  }
+}
+
 TEST_F(OctomapExports, LayoutsAndOrdersGiveEqualBytes) {
   test::Random random(5);
   SCOPED_TRACE(random.trace());
