@@ -38,6 +38,7 @@ struct ApproximateArguments {
   std::optional<double> fill;
   std::string frame = "identity";
   CuboidPhase phase = CuboidPhase::zero;
+  std::uint64_t max_cells = kOctomapMaxCells;
   int threads = 1;
   bool json = false;
 };
@@ -144,6 +145,7 @@ void run(const ApproximateArguments& arguments, bool preset_given) {
   const ApproximationOptions options = options_of(arguments, preset_given);
   CuboidInputOptions reading{.resolution = arguments.resolution,
                              .frame = frame_argument(arguments.frame),
+                             .max_cells = arguments.max_cells,
                              .outer = options.outer.value_or(1),
                              .threads = arguments.threads};
   reading.frame.phase = arguments.phase;
@@ -165,7 +167,8 @@ void add_approximate(CLI::App& app) {
       verb,
       {.usage = "IN -o OUT [options]",
        .text =
-           {"IN is a map (.rmap, or .bt of OctoMap), whose occupied cells are taken, a cloud "
+           {"IN is a map (.rmap, or .bt and .ot of OctoMap), whose occupied cells are taken, a "
+            "cloud "
             "(.bin, .pcd), or a folder of scans with poses. OUT is .rcs (compressed, for `rmap "
             "info` and `rmap evaluate-cuboids`), .csv or .json, a mesh to look at (.ply, .glb), or "
             "one box for each cuboid in .urdf, .sdf, .xml (MuJoCo) or .scene (MoveIt).",
@@ -215,6 +218,9 @@ void add_approximate(CLI::App& app) {
       ->option_text("FRAME");
   add_word(verb, "--phase", arguments->phase,
            "Where cells begin: zero, or centre of where points crowd (default zero).");
+  add_count(verb, "--max-cells", arguments->max_cells,
+            fmt::format("Most occupied cells that a map of OctoMap may have (default {}).",
+                        kOctomapMaxCells));
   add_integer(verb, "--threads", arguments->threads,
               "Threads for large inputs; 0: one for each core (default 1).", 0);
   add_json_flag(verb, arguments->json);

@@ -150,6 +150,12 @@ CLI::Option* add_seed(CLI::App& app, const std::string& names, std::uint64_t& ta
                     "a whole number from 0 to 2^64 - 1", "NUMBER");
 }
 
+CLI::Option* add_count(CLI::App& app, const std::string& names, std::uint64_t& target,
+                       const std::string& help) {
+  return add_parsed(app, names, target, help, parse_integer<std::uint64_t>,
+                    "a whole number from 0 to 2^64 - 1", "COUNT");
+}
+
 CLI::Option* add_vector(CLI::App& app, const std::string& names, std::optional<Vector3d>& target,
                         const std::string& help) {
   return add_parsed(app, names, target, help, parse_vector, kVectorForm, "X,Y,Z");

@@ -53,6 +53,8 @@ CLI::Option* add_integer(CLI::App& app, const std::string& names, int& target,
                          const std::string& help, int least = std::numeric_limits<int>::min());
 CLI::Option* add_seed(CLI::App& app, const std::string& names, std::uint64_t& target,
                       const std::string& help);
+CLI::Option* add_count(CLI::App& app, const std::string& names, std::uint64_t& target,
+                       const std::string& help);
 CLI::Option* add_vector(CLI::App& app, const std::string& names, std::optional<Vector3d>& target,
                         const std::string& help);
 CLI::Option* add_box(CLI::App& app, const std::string& names, std::optional<Box>& target,

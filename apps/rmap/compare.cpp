@@ -2,6 +2,7 @@
 #include "help.hpp"
 #include "json.hpp"
 #include "map_files.hpp"
+#include "octomap_maps.hpp"
 #include "output.hpp"
 #include "verbs.hpp"
 
@@ -12,7 +13,6 @@
 
 #include <rmap/compare.hpp>
 #include <rmap/error.hpp>
-#include <rmap/map_file.hpp>
 #include <rmap/scan_files.hpp>
 
 namespace rmap::command {
@@ -22,6 +22,7 @@ namespace {
 struct CompareArguments {
   std::filesystem::path a;
   std::filesystem::path b;
+  OctomapOptions octomap;
   bool expect_equal = false;
   bool json = false;
 };
@@ -87,13 +88,13 @@ void run(const CompareArguments& arguments) {
     if (arguments.expect_equal) {
       throw UsageError("--expect-equal compares two maps: a cloud is never equal to one");
     }
-    const Grid grid = load(arguments.a);
+    const Grid grid = read_any_map(arguments.a, arguments.octomap.import_options()).grid;
     print_cloud_comparison(grid, compare_with_cloud(grid, read_points(arguments.b)),
                            arguments.json);
     return;
   }
-  const Grid a = load(arguments.a);
-  const Grid b = load(arguments.b);
+  const Grid a = read_any_map(arguments.a, arguments.octomap.import_options()).grid;
+  const Grid b = read_any_map(arguments.b, arguments.octomap.import_options()).grid;
   const MapDifference difference = compare(a, b);
   print_difference(a, b, difference, arguments.json);
   if (arguments.expect_equal && !difference.same_cells()) {
@@ -118,14 +119,17 @@ void add_compare(CLI::App& app) {
            {"A is a map. B is a map of the same resolution: the answer counts the cells that are "
             "in one only and those whose state or value differs. Equal means the same cells "
             "with the same values; the same map also has the same options, scans and history.",
+            "A map of OctoMap (.bt, .ot) may stand for either; without --keep-free it has its "
+            "occupied cells only.",
             "Or B is a cloud (.bin or .pcd) in the map's frame: the answer counts where its "
             "points lie in the map, and the cells without a point."},
        .examples = {"rmap compare street.rmap yard.rmap",
                     "rmap compare street.rmap street/truth/surface.pcd --json"}});
-  add_path(verb, "A", arguments->a, "A map, a .rmap file.")->required();
+  add_path(verb, "A", arguments->a, "A map: .rmap, .bt or .ot.")->required();
   add_path(verb, "B", arguments->b, "Another map, or a cloud.")->required();
   verb.add_flag("--expect-equal", arguments->expect_equal,
                 "Exit with 1 unless the cells of the two maps are equal.");
+  arguments->octomap.add_to(verb);
   add_json_flag(verb, arguments->json);
   verb.callback([arguments] { run(*arguments); });
 }

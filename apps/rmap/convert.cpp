@@ -2,6 +2,7 @@
 #include "help.hpp"
 #include "json.hpp"
 #include "map_files.hpp"
+#include "octomap_maps.hpp"
 #include "output.hpp"
 #include "progress.hpp"
 #include "signals.hpp"
@@ -19,8 +20,8 @@
 #include <rmap/cells.hpp>
 #include <rmap/crop.hpp>
 #include <rmap/error.hpp>
-#include <rmap/map_file.hpp>
 #include <rmap/multiresolution.hpp>
+#include <rmap/octomap_file.hpp>
 #include <rmap/scan_files.hpp>
 #include <rmap/scan_source.hpp>
 
@@ -37,6 +38,7 @@ struct ConvertArguments {
   std::optional<double> prune;
   std::optional<Box> crop;
   ScanEnding format = ScanEnding::bin;
+  OctomapOptions octomap;
   bool json = false;
   // Not every option suits every input: one without effect is refused.
   std::vector<const CLI::Option*> map_options;
@@ -49,12 +51,13 @@ void refuse(const CLI::Option* option, const char* needed) {
   throw UsageError(fmt::format("{} has no effect here: {}", option->get_name(), needed));
 }
 
-Grid wanted_map(const ConvertArguments& arguments) {
-  Grid grid = load(arguments.input);
+AnyMap wanted_map(const ConvertArguments& arguments) {
+  AnyMap map = read_any_map(arguments.input, arguments.octomap.import_options());
+  Grid& grid = map.grid;
   if (arguments.crop) crop(grid, *arguments.crop);
   if (arguments.prune) grid.prune(*arguments.prune);
   if (arguments.coarsen > 1) grid = coarsen(grid, arguments.coarsen, arguments.criterion);
-  return grid;
+  return map;
 }
 
 std::uint64_t write_cell_file(const Grid& grid, CellChoice choice,
@@ -73,30 +76,62 @@ std::uint64_t write_cell_file(const Grid& grid, CellChoice choice,
   });
 }
 
-void report(const ConvertArguments& arguments, std::uint64_t count, const char* noun) {
+// What became of a map of OctoMap, read or written, is told where there is one.
+struct Remarks {
+  Json read = nullptr;
+  Json written = nullptr;
+  std::string words = {};
+};
+
+void report(const ConvertArguments& arguments, std::uint64_t count, const char* noun,
+            const Remarks& remarks = {}) {
   if (arguments.json) {
-    print_json({{"input", arguments.input.string()},
+    Json answer{{"input", arguments.input.string()},
                 {"output", arguments.output.string()},
-                {std::string(noun) + "s", count}});
+                {std::string(noun) + "s", count}};
+    if (!remarks.read.is_null()) answer["read"] = remarks.read;
+    if (!remarks.written.is_null()) answer["written"] = remarks.written;
+    print_json(answer);
   } else {
-    print(fmt::format("{}: {}\n", arguments.output.string(), counted(count, noun)));
+    print(
+        fmt::format("{}: {}\n{}", arguments.output.string(), counted(count, noun), remarks.words));
   }
+}
+
+OctomapExport write_octomap(const Grid& grid, const std::filesystem::path& file) {
+  const SignalHold hold;
+  const OctomapExport written = export_octomap(grid, file);
+  hold.check();
+  return written;
 }
 
 void convert_map(const ConvertArguments& arguments) {
   refuse(arguments.format_option, "it is for folders of scans");
-  if (arguments.crop) require_volume("--crop", *arguments.crop);
-  if (ending_of(arguments.output) == ".rmap") {
-    refuse(arguments.cells_option, "a map keeps all its cells, but those that --prune drops");
-    check_map_output(arguments.output);
-    const Grid grid = wanted_map(arguments);
-    save_map(grid, arguments.output);
-    report(arguments, grid.cell_count(), "cell");
-  } else {
-    check_output_file(arguments.output);
-    const Grid grid = wanted_map(arguments);
-    report(arguments, write_cell_file(grid, arguments.cells, arguments.output), "cell");
+  if (!is_octomap(arguments.input)) {
+    for (const CLI::Option* option : arguments.octomap.options()) {
+      refuse(option, "it is for maps of OctoMap that are read");
+    }
   }
+  if (arguments.crop) require_volume("--crop", *arguments.crop);
+  const bool to_map = ending_of(arguments.output) == ".rmap";
+  const bool to_octomap = is_octomap(arguments.output);
+  if (to_map || to_octomap) {
+    refuse(arguments.cells_option, "a map keeps all its cells, but those that --prune drops");
+  }
+  check_output_file(arguments.output);
+  const AnyMap map = wanted_map(arguments);
+  Remarks remarks{.read = map.json, .words = map.words};
+  std::uint64_t count = map.grid.cell_count();
+  if (to_map) {
+    save_map(map.grid, arguments.output);
+  } else if (to_octomap) {
+    const OctomapExport written = write_octomap(map.grid, arguments.output);
+    remarks.written = json_of(written, map.grid);
+    remarks.words += words_of(written, map.grid, ending_of(arguments.output) == ".bt");
+  } else {
+    count = write_cell_file(map.grid, arguments.cells, arguments.output);
+  }
+  report(arguments, count, "cell", remarks);
 }
 
 void convert_scans(const ConvertArguments& arguments) {
@@ -134,15 +169,16 @@ void run(const ConvertArguments& arguments) {
   std::error_code missing;
   const bool folder = std::filesystem::is_directory(arguments.input, missing);
   const std::string ending = ending_of(arguments.input);
-  if (!folder && ending == ".rmap") return convert_map(arguments);
+  if (!folder && (ending == ".rmap" || is_octomap(arguments.input))) return convert_map(arguments);
   for (const CLI::Option* option : arguments.map_options) refuse(option, "it is for maps");
+  for (const CLI::Option* option : arguments.octomap.options()) refuse(option, "it is for maps");
   refuse(arguments.cells_option, "it is for maps");
   if (folder) return convert_scans(arguments);
   if (is_point_file(arguments.input)) return convert_cloud(arguments);
   throw Error(
       ErrorKind::input,
       fmt::format("the input {} is nothing that can be converted as far as its name says: a "
-                  "map (.rmap), a folder of scans or a cloud (.bin, .pcd) are allowed",
+                  "map (.rmap, .bt, .ot), a folder of scans or a cloud (.bin, .pcd) are allowed",
                   arguments.input.string()));
 }
 
@@ -155,13 +191,18 @@ void add_convert(CLI::App& app) {
       verb,
       {.usage = "IN OUT [options]",
        .text =
-           {"A map (.rmap) becomes cells for other programs: .csv (x,y,z,size,probability,state), "
-            ".ply or .pcd (x y z probability); or another map (.rmap). --crop, --prune and "
-            "--coarsen apply to it in this order.",
+           {"A map (.rmap, or .bt and .ot of OctoMap) becomes cells for other programs: .csv "
+            "(x,y,z,size,probability,state), .ply or .pcd (x y z probability); or another map "
+            "(.rmap, .bt, .ot). --crop, --prune and --coarsen apply to it in this order.",
+            "A .bt holds the states of cells alone, a .ot their values too; neither holds options, "
+            "history and scans. Large leaves of OctoMap become the cells that they stand for, up "
+            "to --max-cells.",
             "A folder of scans becomes another one with files of --format; a cloud (.bin or "
             ".pcd) becomes the other of the two. Points alone are kept, no intensity."},
        .examples = {"rmap convert street.rmap street.ply",
                     "rmap convert street.rmap coarse.rmap --coarsen 4 --criterion max",
+                    "rmap convert street.rmap street.ot",
+                    "rmap convert street.ot again.rmap --keep-free",
                     "rmap convert street street_pcd --format pcd"}});
   add_path(verb, "IN", arguments->input, "Map, folder of scans or cloud.")->required();
   add_path(verb, "OUT", arguments->output, "File or folder to write; its ending says the format.")
@@ -184,6 +225,7 @@ void add_convert(CLI::App& app) {
   arguments->format_option =
       add_word(verb, "--format", arguments->format,
                "Files in a folder of scans: " + word_list<ScanEnding>() + " (default bin).");
+  arguments->octomap.add_to(verb);
   add_json_flag(verb, arguments->json);
   verb.callback([arguments] { run(*arguments); });
 }

@@ -1,6 +1,7 @@
 #include "cuboid_input.hpp"
 
 #include "arguments.hpp"
+#include "octomap_maps.hpp"
 #include "progress.hpp"
 
 #include <array>
@@ -57,7 +58,7 @@ CuboidInput read_map(const std::filesystem::path& file, bool octomap,
   CuboidInput input;
   Stopwatch watch;
   if (octomap) {
-    const OctomapCells map = read_octomap(file);
+    const OctomapCells map = read_octomap(file, {.max_cells = options.max_cells});
     input.resolution = map.resolution;
     for (const Cell& cell : map.occupied) input.cells.push_back({cell, 1});
     input.seconds_read = watch.lap();
@@ -122,13 +123,12 @@ CuboidInput read_cuboid_input(const std::filesystem::path& file,
   const std::string ending = ending_of(file);
   std::error_code missing;
   const bool folder = std::filesystem::is_directory(file, missing);
-  if (!folder && (ending == ".rmap" || ending == ".bt")) {
-    return read_map(file, ending == ".bt", options);
-  }
+  const bool octomap = is_octomap(file);
+  if (!folder && (ending == ".rmap" || octomap)) return read_map(file, octomap, options);
   if (!folder && !is_point_file(file)) {
     throw Error(ErrorKind::input,
-                fmt::format("{} is no map (.rmap, .bt), no cloud (.bin, .pcd) and no folder of "
-                            "scans",
+                fmt::format("{} is no map (.rmap, .bt, .ot), no cloud (.pcd, .ply, .las and so on) "
+                            "and no folder of scans",
                             file.string()));
   }
   return read_cloud(file, options);

@@ -8,6 +8,7 @@
 
 #include <rmap/counted_cells.hpp>
 #include <rmap/cuboid_frame.hpp>
+#include <rmap/octomap_file.hpp>
 
 namespace rmap::command {
 
@@ -35,12 +36,13 @@ struct CuboidInputOptions {
   /// Edge of a cell for points, metres; maps have their own, which this must not contradict.
   std::optional<double> resolution;
   FrameChoice frame = {};
-  int outer = 1;  ///< for the trial of an estimated frame
+  std::uint64_t max_cells = kOctomapMaxCells;  ///< of a map of OctoMap
+  int outer = 1;                               ///< for the trial of an estimated frame
   int threads = 1;
 };
 
-/// Reads a map (.rmap, .bt), a cloud (.bin, .pcd), or a folder of scans with poses. Throws Error
-/// as its reader does, Error(input) for a frame or a resolution that a map does not have.
+/// Reads a map (.rmap, .bt, .ot), a cloud (.bin, .pcd), or a folder of scans with poses. Throws
+/// Error as its reader does, Error(input) for a frame or a resolution that a map does not have.
 CuboidInput read_cuboid_input(const std::filesystem::path& file, const CuboidInputOptions& options);
 
 /// "identity", "estimate", or a quaternion qx,qy,qz,qw; throws UsageError.

@@ -31,6 +31,7 @@ Description describe(const std::filesystem::path& file, const LoadOptions& optio
   if (ending == ".graph") return describe_scans(file);
   if (is_point_file(file)) return describe_cloud(file);
   if (ending == ".rcs") return describe_cuboids(file);
+  if (ending == ".bt" || ending == ".ot") return describe_octomap(file);
   // Whatever else it is called: the reader says what is wrong with a file that is none.
   return describe_map(file, options);
 }
@@ -56,7 +57,8 @@ void add_info(CLI::App& app) {
   set_help(
       verb,
       {.usage = "FILE... [options]",
-       .text = {"A .rmap file is a map, a folder holds scans with poses, a .bin or .pcd file is "
+       .text = {"A .rmap file is a map, .bt and .ot are maps of OctoMap, a folder holds scans with "
+                "poses, a .bin or .pcd file is "
                 "a cloud of points, a .rcs file holds cuboids. All of it is read and checked. With "
                 "--json one file gives "
                 "an object, several an array of them; what is infinite or does not exist is "

@@ -1,5 +1,6 @@
 #include "map_files.hpp"
 
+#include "octomap_maps.hpp"
 #include "signals.hpp"
 
 #include <algorithm>
@@ -68,6 +69,16 @@ void check_cuboid_output(const fs::path& file) {
                             file.string()));
   }
   check_output_file(file);
+}
+
+Grid load_map(const fs::path& file, const LoadOptions& options) {
+  if (is_octomap(file)) {
+    throw Error(ErrorKind::input,
+                fmt::format("{} is a map of OctoMap as far as its name says: `rmap convert {} "
+                            "MAP.rmap` makes one of it that can be used here",
+                            file.string(), file.string()));
+  }
+  return load(file, options);
 }
 
 void save_map(const Grid& grid, const fs::path& file) {

@@ -2,7 +2,7 @@
 
 #include <filesystem>
 
-#include <rmap/grid.hpp>
+#include <rmap/map_file.hpp>
 
 namespace rmap::command {
 
@@ -17,6 +17,9 @@ void check_map_output(const std::filesystem::path& file);
 
 /// The same for cuboids, whose name must have one of the endings that they are written to.
 void check_cuboid_output(const std::filesystem::path& file);
+
+/// rmap::load, which for a map of OctoMap says how it becomes one that can be loaded.
+Grid load_map(const std::filesystem::path& file, const LoadOptions& options = {});
 
 /// rmap::save that SIGHUP, SIGINT and SIGTERM do not break off; throws Interrupted after it.
 void save_map(const Grid& grid, const std::filesystem::path& file);

@@ -24,9 +24,9 @@ struct MergeArguments {
 };
 
 Grid merged(const std::vector<std::filesystem::path>& files) {
-  Grid sum = load(files.front());
+  Grid sum = load_map(files.front());
   for (std::size_t i = 1; i < files.size(); ++i) {
-    const Grid next = load(files[i]);
+    const Grid next = load_map(files[i]);
     try {
       sum.merge(next);
     } catch (const Error& error) {

@@ -2,9 +2,8 @@
 
 #include "arguments.hpp"
 #include "help.hpp"
+#include "map_files.hpp"
 #include "verbs.hpp"
-
-#include <rmap/map_file.hpp>
 
 namespace rmap::command {
 
@@ -12,7 +11,7 @@ Grid load_map(const QueryArguments& arguments) {
   if (arguments.map.empty()) {
     throw UsageError("MAP is missing: `rmap query MAP VERB ...` (see rmap query --help)");
   }
-  return load(arguments.map);
+  return load_map(arguments.map, LoadOptions{});
 }
 
 void add_query(CLI::App& app) {

@@ -17,5 +17,7 @@ void add_compare(CLI::App& app);
 void add_simulate(CLI::App& app);
 void add_approximate(CLI::App& app);
 void add_evaluate_cuboids(CLI::App& app);
+void add_validate(CLI::App& app);
+void add_repair(CLI::App& app);
 
 }  // namespace rmap::command

@@ -28,6 +28,7 @@
 #include <rmap/lattice.hpp>
 #include <rmap/leaf.hpp>
 #include <rmap/map_file.hpp>
+#include <rmap/map_repair.hpp>
 #include <rmap/multiresolution.hpp>
 #include <rmap/octomap_file.hpp>
 #include <rmap/options.hpp>

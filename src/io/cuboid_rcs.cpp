@@ -131,7 +131,7 @@ class RcsReader {
     try {
       list.resolution = Lattice(reader_.number<double>("the resolution")).resolution();
       std::vector<Pose> poses;
-      wire::decode_poses(reader_.take(wire::kPoseSize, "the frame"), poses);
+      wire::decode_poses(reader_.take(wire::kPoseSize, "the frame"), wire::kPoseSize, poses);
       list.frame = poses.front();
     } catch (const Error& wrong) {
       throw error(fmt::format("has no sound header: {}", wrong.what()));

@@ -114,13 +114,7 @@ Options read_options(RmapReader& reader, const Chunk& chunk) {
 
 void read_poses(RmapReader& reader, const Chunk& chunk, std::vector<Pose>& poses) {
   decoded(reader, chunk, [&](std::span<const std::byte> content) {
-    const auto least = wire::least_size_of_poses(content.size() / wire::kPoseSize);
-    if (chunk.header.stored_size < least) {
-      throw Error(ErrorKind::input,
-                  fmt::format("takes {} bytes for {} bytes of poses: it must take at least {}",
-                              chunk.header.stored_size, content.size(), least));
-    }
-    wire::decode_poses(content, poses);
+    wire::decode_poses(content, chunk.header.stored_size, poses);
   });
 }
 

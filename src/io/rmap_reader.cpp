@@ -88,27 +88,11 @@ RmapReader::Chunk RmapReader::next() {
 
 std::span<const std::byte> RmapReader::read(const Chunk& chunk) {
   read_stored(chunk);
-  const wire::ChunkHeader& header = chunk.header;
-  if ((header.flags & ~(wire::kRequired | wire::kCompressed)) != 0) {
-    throw error(chunk, fmt::format("has flags {:#x}: version {} knows {:#x}", header.flags,
-                                   wire::kFormatVersion, wire::kRequired | wire::kCompressed));
+  try {
+    return decoder_.decode(chunk.header, stored_);
+  } catch (const Error& wrong) {
+    throw error(chunk, wrong.what());
   }
-  if (!header.compressed()) {
-    if (header.raw_size == header.stored_size) return stored_;
-    throw error(chunk, fmt::format("is not compressed and takes {} bytes, but announces {}",
-                                   header.stored_size, header.raw_size));
-  }
-  if (header.raw_size > wire::kMaxContentSize) {
-    throw error(chunk, fmt::format("announces {} bytes once decompressed: at most {} are allowed",
-                                   header.raw_size, wire::kMaxContentSize));
-  }
-  content_.resize(static_cast<std::size_t>(header.raw_size));
-  if (!decompressor_.decompress(stored_, content_)) {
-    throw error(chunk, fmt::format("does not decompress: it must be one zstd frame of {} bytes, "
-                                   "followed by zeros",
-                                   header.raw_size));
-  }
-  return content_;
 }
 
 void RmapReader::read_stored(const Chunk& chunk) {

@@ -2,7 +2,7 @@
 
 #include "io/input_file.hpp"
 #include "io/rmap_checksum.hpp"
-#include "io/rmap_compression.hpp"
+#include "io/rmap_content.hpp"
 #include "io/rmap_format.hpp"
 
 #include <optional>
@@ -52,11 +52,10 @@ class RmapReader {
   InputFile file_;
   std::uint64_t position_ = 0;
   RmapChecksum checksum_;
-  Decompressor decompressor_;
+  wire::ContentDecoder decoder_;
   wire::Header header_;
   std::uint64_t chunks_ = 0;
   std::vector<std::byte> stored_;
-  std::vector<std::byte> content_;
 };
 
 }  // namespace rmap

@@ -91,7 +91,14 @@ std::vector<std::byte> encoded_poses(std::span<const Pose> poses) {
   return content;
 }
 
-void decode_poses(std::span<const std::byte> content, std::vector<Pose>& poses) {
+void decode_poses(std::span<const std::byte> content, std::uint64_t stored_size,
+                  std::vector<Pose>& poses) {
+  const auto least = least_size_of_poses(content.size() / kPoseSize);
+  if (stored_size < least) {
+    throw Error(ErrorKind::input,
+                fmt::format("takes {} bytes for {} bytes of poses: it must take at least {}",
+                            stored_size, content.size(), least));
+  }
   if (content.empty() || content.size() % kPoseSize != 0) {
     throw Error(ErrorKind::input,
                 fmt::format("has {} bytes of content: it must have a multiple of {}, and at least "

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -21,7 +22,9 @@ History decoded_history(std::span<const std::byte> content);
 
 /// POSE: the poses of some scans that follow one another.
 std::vector<std::byte> encoded_poses(std::span<const Pose> poses);
-/// Appends to `poses`; each has passed check_pose.
-void decode_poses(std::span<const std::byte> content, std::vector<Pose>& poses);
+/// Appends to `poses`; each has passed check_pose. `stored_size` is what the content takes in the
+/// file.
+void decode_poses(std::span<const std::byte> content, std::uint64_t stored_size,
+                  std::vector<Pose>& poses);
 
 }  // namespace rmap::wire

@@ -1,6 +1,7 @@
 #include "io/rmap_blocks.hpp"
 #include "io/rmap_records.hpp"
 #include "io/rmap_writer.hpp"
+#include "io/sorted_leaves.hpp"
 
 #include <algorithm>
 
@@ -9,20 +10,6 @@
 namespace rmap {
 
 namespace {
-
-// All leaves in Morton order: those of one block follow one another, and within it
-// the cells come by their positions, whatever the layout.
-std::vector<Leaf> sorted_leaves(const Grid& grid) {
-  std::vector<Leaf> leaves;
-  leaves.reserve(grid.leaf_count());
-  grid.visit_leaves(all_cells(), [&](const Leaf& leaf) {
-    leaves.push_back(leaf);
-    return true;
-  });
-  std::sort(leaves.begin(), leaves.end(),
-            [](const Leaf& a, const Leaf& b) { return morton_less(a.origin, b.origin); });
-  return leaves;
-}
 
 // use(leaves of one block) for each block.
 template <class Use>

@@ -1,16 +1,21 @@
 // Against liboctomap with the same float32 points and parameters: complete history
 // gives its occupied cells, first-hit history those and a few more.
+#include "support/octomap_leaves.hpp"
 #include "support/octomap_twin.hpp"
 #include "support/real_data.hpp"
 #include "support/scans.hpp"
 
 #include <algorithm>
+#include <filesystem>
+#include <functional>
+#include <memory>
 #include <tuple>
 
 #include <gtest/gtest.h>
 
 #include <rmap/cells.hpp>
 #include <rmap/grid.hpp>
+#include <rmap/octomap_file.hpp>
 #include <rmap/scan_source.hpp>
 
 namespace rmap {
@@ -106,6 +111,27 @@ bool explained(const Cell& cell, const std::vector<Scan>& scans, const Lattice& 
   });
 }
 
+// Its file is our map of its occupied leaves, and ours its map of our cells.
+void expect_files_agree(const Grid& grid, octomap::OcTree& tree, const CellSet& theirs) {
+  const std::filesystem::path folder(testing::TempDir());
+  const std::string test = testing::UnitTest::GetInstance()->current_test_info()->name();
+  const auto file = folder / ("rmap_" + std::to_string(std::hash<std::string>()(test)) + ".ot");
+  tree.prune();
+  ASSERT_TRUE(tree.write(file.string()));
+  const OctomapImport map = import_octomap(file);
+  EXPECT_EQ(map.clamped_leaves + map.changed_leaves, 0u);
+  EXPECT_EQ(occupied_cells(map.grid), theirs);
+  test::expect_same_leaves(map.grid, tree);
+
+  export_octomap(grid, file);
+  const std::unique_ptr<octomap::OcTree> ours(
+      dynamic_cast<octomap::OcTree*>(octomap::AbstractOcTree::read(file.string())));
+  std::filesystem::remove(file);
+  ASSERT_TRUE(ours);
+  test::expect_same_leaves(grid, *ours);
+  EXPECT_EQ(test::occupied_cells(*ours), occupied_cells(grid));
+}
+
 TEST_P(AgainstOctoMap, OccupiedCellsAreTheSame) {
   const Options options{.resolution = std::get<1>(GetParam())};
   Grid complete(options);
@@ -132,6 +158,7 @@ TEST_P(AgainstOctoMap, OccupiedCellsAreTheSame) {
   }
   EXPECT_LE(missing(theirs, with_first_hit).size(), allowed);
   EXPECT_GE(missing(with_first_hit, theirs).size(), more.size());
+  expect_files_agree(complete, tree, theirs);
   RecordProperty("beams", static_cast<int>(beams_));
   RecordProperty("occupied", static_cast<int>(theirs.size()));
   RecordProperty("different", static_cast<int>(different.size()));

@@ -14,9 +14,9 @@ namespace {
 using testing::HasSubstr;
 
 const std::vector<std::vector<std::string>> kVerbs = {
-    {"simulate"},       {"build"},        {"info"},          {"query"},
-    {"query", "point"}, {"query", "box"}, {"query", "cast"}, {"query", "cells"},
-    {"compare"},        {"merge"},        {"convert"},
+    {"simulate"},     {"build"},         {"info"},           {"query"},   {"query", "point"},
+    {"query", "box"}, {"query", "cast"}, {"query", "cells"}, {"compare"}, {"merge"},
+    {"convert"},      {"validate"},      {"repair"},
 };
 
 class Examples : public CommandTest {

@@ -133,7 +133,7 @@ TEST(OctomapFile, WrongHeadersAreRefused) {
                                      without("res 0.25\n"),
                                      without("data\n"),
                                      with("OcTree b", "OcTree "),
-                                     with("id OcTree", "id ColorOcTree"),
+                                     with("id OcTree", "id CountingOcTree"),
                                      with("size 19", "size 18"),
                                      with("size 19", "size 20"),
                                      with("size 19", "size -1"),

@@ -1,0 +1,159 @@
+#include "arguments.hpp"
+#include "help.hpp"
+#include "json.hpp"
+#include "output.hpp"
+#include "progress.hpp"
+#include "verbs.hpp"
+
+#include <algorithm>
+#include <array>
+#include <memory>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include <rmap/cuboid_files.hpp>
+#include <rmap/error.hpp>
+#include <rmap/map_repair.hpp>
+#include <rmap/octomap_file.hpp>
+#include <rmap/scan_files.hpp>
+#include <rmap/scan_source.hpp>
+
+namespace rmap::command {
+
+namespace {
+
+struct ValidateArguments {
+  std::vector<std::filesystem::path> files;
+  bool json = false;
+};
+
+using Problems = std::vector<MapProblem>;
+
+// More than anybody reads; a source that is no more than errors then ends too.
+constexpr std::size_t kMostProblems = 1000;
+
+// What read() refuses, if anything.
+template <class Read>
+Problems problem_of(Read&& read) {
+  try {
+    read();
+    return {};
+  } catch (const Error& error) {
+    return {{.sentence = error.what()}};
+  }
+}
+
+// Each scan that cannot be read, not only the first.
+Problems check_scans(const std::filesystem::path& path) {
+  const auto source = open_scans(path);
+  Problems problems;
+  Progress progress("checking", source->size());
+  Scan scan;
+  for (bool more = true; more && problems.size() < kMostProblems; progress.advance()) {
+    try {
+      more = source->next(scan);
+    } catch (const Error& error) {
+      problems.push_back({.sentence = error.what()});
+    }
+  }
+  return problems;
+}
+
+// A .csv may hold cuboids or points.
+Problems check_rows(const std::filesystem::path& file) {
+  const Problems as_cuboids = problem_of([&] { read_cuboids(file); });
+  if (as_cuboids.empty()) return {};
+  const Problems as_points = problem_of([&] { read_points(file); });
+  if (as_points.empty()) return {};
+  return {{.sentence = fmt::format("as cuboids: {}; as points: {}", as_cuboids.front().sentence,
+                                   as_points.front().sentence)}};
+}
+
+Problems check_by_name(const std::filesystem::path& file) {
+  constexpr std::array kClouds{".bin", ".pcd", ".ply", ".xyz", ".las"};
+  std::error_code missing;
+  if (std::filesystem::is_directory(file, missing)) return check_scans(file);
+  const std::string ending = ending_of(file);
+  if (ending == ".rmap") return check_map_file(file);
+  if (ending == ".bt" || ending == ".ot") return problem_of([&] { read_octomap_info(file); });
+  if (ending == ".rcs") return problem_of([&] { read_cuboids(file); });
+  if (ending == ".csv") return check_rows(file);
+  if (ending == ".txt") return problem_of([&] { read_poses(file); });
+  if (std::find(kClouds.begin(), kClouds.end(), ending) != kClouds.end()) {
+    return problem_of([&] { read_points(file); });
+  }
+  return check_scans(file);
+}
+
+// A file that cannot be opened is a problem like others: those behind it are still looked at.
+Problems check(const std::filesystem::path& file) {
+  try {
+    return check_by_name(file);
+  } catch (const Error& error) {
+    return {{.sentence = error.what()}};
+  }
+}
+
+Json json_of(const std::filesystem::path& file, const Problems& problems) {
+  Json list = Json::array();
+  for (const MapProblem& problem : problems) {
+    list.push_back({{"sentence", problem.sentence},
+                    {"chunk", problem.chunk.empty() ? Json(nullptr) : Json(problem.chunk)},
+                    {"offset", problem.offset ? Json(*problem.offset) : Json(nullptr)},
+                    {"size", problem.offset ? Json(problem.size) : Json(nullptr)}});
+  }
+  return {{"file", file.string()}, {"sound", problems.empty()}, {"problems", list}};
+}
+
+std::string words_of(const std::filesystem::path& file, const Problems& problems) {
+  if (problems.empty()) return fmt::format("{}: sound\n", file.string());
+  std::string words = fmt::format("{}: {}\n", file.string(), counted(problems.size(), "problem"));
+  for (const MapProblem& problem : problems) words += "  " + problem.sentence + "\n";
+  return words;
+}
+
+void run(const ValidateArguments& arguments) {
+  Json answers = Json::array();
+  std::size_t wrong = 0;
+  std::string first;
+  for (const std::filesystem::path& file : arguments.files) {
+    const Problems problems = check(file);
+    if (!problems.empty() && wrong++ == 0) first = problems.front().sentence;
+    if (arguments.json) {
+      answers.push_back(json_of(file, problems));
+    } else {
+      print(words_of(file, problems));
+    }
+  }
+  if (arguments.json) print_json(answers.size() == 1 ? answers.front() : answers);
+  if (wrong > 0) {
+    throw Error(
+        ErrorKind::input,
+        fmt::format("{} of {} not sound, the first problem: {}", wrong,
+                    arguments.files.size() == 1 ? "1 file is"
+                                                : counted(arguments.files.size(), "file") + " are",
+                    first));
+  }
+}
+
+}  // namespace
+
+void add_validate(CLI::App& app) {
+  CLI::App& verb = *app.add_subcommand("validate", "Tell what is wrong with files, and where.");
+  const auto arguments = std::make_shared<ValidateArguments>();
+  set_help(
+      verb,
+      {.usage = "FILE... [options]",
+       .text = {"Reads all of a file as the other verbs would and tells what they would refuse: of "
+                "a map (.rmap) each damaged chunk with its type and place, of a folder of scans "
+                "each scan that cannot be read, of other files (.bt, .ot, .rcs, .bin, .pcd and "
+                "all that holds scans) the first thing that is wrong. Exits with 1 when anything "
+                "is."},
+       .examples = {"rmap validate street.rmap", "rmap validate street street.rmap --json"}});
+  add_paths(verb, "FILE", arguments->files, "Maps, clouds, folders of scans, cuboids.")->required();
+  add_json_flag(verb, arguments->json);
+  verb.callback([arguments] { run(*arguments); });
+}
+
+}  // namespace rmap::command
