@@ -1,3 +1,4 @@
+#include "io/bag/bag_source.hpp"
 #include "io/point_formats.hpp"
 #include "io/scan_folder.hpp"
 #include "io/system_error.hpp"
@@ -8,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include <rmap/bag_info.hpp>
 #include <rmap/error.hpp>
 #include <rmap/scan_files.hpp>
 #include <rmap/scan_source.hpp>
@@ -31,6 +33,7 @@ bool is_point_file(const std::filesystem::path& path) {
 }
 
 constexpr std::array kForms = {
+    ScanForm{.recognises = is_bag, .open = open_bag_scans},
     ScanForm{.recognises = is_folder, .open = open_scan_folder},
     ScanForm{.recognises = is_point_file, .open = open_scan_file},
 };
@@ -92,8 +95,8 @@ std::unique_ptr<ScanSource> open_scans(const std::filesystem::path& path,
     if (form.recognises(path)) return form.open(path, options);
   }
   throw Error(ErrorKind::input,
-              fmt::format("{} holds no scans as far as its name says: folders and files ending in "
-                          "{} are allowed",
+              fmt::format("{} holds no scans as far as its name says: folders, bags (.mcap, .db3) "
+                          "and files ending in {} are allowed",
                           path.string(), point_endings()));
 }
 
