@@ -11,6 +11,7 @@
 
 #include <fmt/format.h>
 
+#include <rmap/bag_info.hpp>
 #include <rmap/error.hpp>
 #include <rmap/scan_files.hpp>
 
@@ -25,6 +26,7 @@ struct InfoArguments {
 };
 
 Description describe(const std::filesystem::path& file, const LoadOptions& options) {
+  if (is_bag(file)) return describe_bag(file);
   std::error_code missing;
   if (std::filesystem::is_directory(file, missing)) return describe_scans(file);
   const std::string ending = ending_of(file);
@@ -57,19 +59,21 @@ void add_info(CLI::App& app) {
   set_help(
       verb,
       {.usage = "FILE... [options]",
-       .text = {"A .rmap file is a map, .bt and .ot are maps of OctoMap, a folder holds scans with "
-                "poses, a .bin or .pcd file is "
-                "a cloud of points, a .rcs file holds cuboids. All of it is read and checked. With "
-                "--json one file gives "
-                "an object, several an array of them; what is infinite or does not exist is "
-                "null.",
-                "A map file does not say how the map lay in memory: the options choose how it "
-                "is loaded, which decides the figures of the R-tree and of the memory."},
+       .text =
+           {"A .rmap file is a map, .bt and .ot are maps of OctoMap, a folder or a .graph holds "
+            "scans with poses, .pcd, .ply, .las, .bin, .xyz, .csv and .3d are clouds of points, a "
+            ".rcs file holds cuboids; a bag (.mcap, .db3, a folder of rosbag2) holds topics, and "
+            "the answer says how to build from it. All of it is read and checked. With --json one "
+            "file gives an object, several an array of them; what is infinite or does not exist "
+            "is null.",
+            "A map file does not say how the map lay in memory: the options choose how it "
+            "is loaded, which decides the figures of the R-tree and of the memory."},
        .examples = {"rmap info street.rmap",
                     "rmap info street.rmap --layout cells "
                     "--max-branches 8 --json",
                     "rmap info street street/truth/surface.pcd"}});
-  add_paths(verb, "FILE", arguments->files, "Maps, folders of scans, clouds, cuboids.")->required();
+  add_paths(verb, "FILE", arguments->files, "Maps, folders of scans, bags, clouds, cuboids.")
+      ->required();
   add_json_flag(verb, arguments->json);
   add_load_options(verb, arguments->load);
   verb.callback([arguments] { run(*arguments); });

@@ -19,6 +19,7 @@ struct Description {
 
 Description describe_map(const std::filesystem::path& file, const LoadOptions& options);
 Description describe_octomap(const std::filesystem::path& file);
+Description describe_bag(const std::filesystem::path& path);
 Description describe_scans(const std::filesystem::path& folder);
 Description describe_cloud(const std::filesystem::path& file);
 Description describe_cuboids(const std::filesystem::path& file);

@@ -3,6 +3,7 @@
 /// The whole library, for programs. Its own parts name the headers that they need.
 
 #include <rmap/approximate.hpp>
+#include <rmap/bag_info.hpp>
 #include <rmap/beam.hpp>
 #include <rmap/block.hpp>
 #include <rmap/box.hpp>

@@ -21,7 +21,7 @@ struct BagReadOptions {
   std::string pose_topic = {};
   /// Frame of the map. Empty: the root of the tree of frames that the clouds hang in.
   std::string map_frame = {};
-  /// Scans with stamps in [from, to] only, seconds after the first message of the bag.
+  /// Scans recorded in [from, to] only, seconds after the first message of the bag.
   std::optional<double> from = {};
   std::optional<double> to = {};
 };

@@ -59,6 +59,9 @@ class ScanSource {
 ///   metres. Other files, subfolders and names that begin with a dot are passed
 ///   over; a folder with both kinds is an error. The VIEWPOINT of a `.pcd` is ignored.
 /// - one scan file of such a folder: that scan alone, with its line of `poses.txt`.
+/// - a bag of ROS 2: an MCAP file (`.mcap`), a `.db3` of rosbag2, or the folder with
+///   `metadata.yaml` that rosbag2 makes. Clouds (sensor_msgs/PointCloud2) are scans, in the
+///   order of their recording; `ScanReadOptions` say of which topic and where poses come from.
 ///
 /// The listing, the poses and their number are checked here, the scans when they
 /// are read: a pass with `next` to the end checks everything. Throws Error as `next`.

@@ -19,6 +19,16 @@ T load_little(const std::byte* bytes) {
   return std::bit_cast<T>(raw);
 }
 
+/// The number whose big-endian bytes start at `bytes`, of any alignment.
+template <class T>
+T load_big(const std::byte* bytes) {
+  static_assert(std::is_arithmetic_v<T>);
+  std::array<std::byte, sizeof(T)> raw;
+  std::memcpy(raw.data(), bytes, sizeof(T));
+  if constexpr (std::endian::native == std::endian::little) std::reverse(raw.begin(), raw.end());
+  return std::bit_cast<T>(raw);
+}
+
 /// The bytes of a number, little-endian.
 template <class T>
 std::array<std::byte, sizeof(T)> little_endian(T value) {

@@ -31,10 +31,10 @@ class InputFile {
   std::vector<std::byte> read_rest();
   /// The first bytes of the file, `most` or as many as there are; read() does not notice.
   std::vector<std::byte> head(std::size_t most) const;
-
- private:
+  /// Fills `buffer` with the bytes from `offset` on; read() does not notice. Throws as read().
   void read_at(std::uint64_t offset, std::span<std::byte> buffer) const;
 
+ private:
   std::filesystem::path path_;
   FileDescriptor descriptor_;
   std::uint64_t size_ = 0;

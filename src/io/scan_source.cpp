@@ -1,3 +1,4 @@
+#include "io/bag/bag_source.hpp"
 #include "io/graph_file.hpp"
 #include "io/no_returns.hpp"
 #include "io/point_formats.hpp"
@@ -11,6 +12,7 @@
 
 #include <fmt/format.h>
 
+#include <rmap/bag_info.hpp>
 #include <rmap/error.hpp>
 #include <rmap/scan_files.hpp>
 #include <rmap/scan_source.hpp>
@@ -32,6 +34,7 @@ bool is_folder(const std::filesystem::path& path) { return std::filesystem::is_d
 bool is_graph(const std::filesystem::path& path) { return ending_of(path) == ".graph"; }
 
 constexpr std::array kForms = {
+    ScanForm{.recognises = is_bag, .open = open_bag_scans},
     ScanForm{.recognises = is_folder, .open = open_scan_folder},
     ScanForm{.recognises = is_graph, .open = open_scan_graph},
     ScanForm{.recognises = is_point_file, .open = open_scan_file},
@@ -97,8 +100,8 @@ std::unique_ptr<ScanSource> open_scans(const std::filesystem::path& path,
                              : std::move(source);
   }
   throw Error(ErrorKind::input,
-              fmt::format("{} holds no scans as far as its name says: folders and files ending in "
-                          ".graph, {} are allowed",
+              fmt::format("{} holds no scans as far as its name says: folders, bags (.mcap, .db3) "
+                          "and files ending in .graph, {} are allowed",
                           path.string(), point_endings()));
 }
 

@@ -124,8 +124,9 @@ TEST(OpenScans, refuses_what_holds_no_scans) {
   test::write_text(file, "");
   expect_error(ErrorKind::input,
                file +
-                   " holds no scans as far as its name says: folders and files ending in .graph, "
-                   ".bin, .pcd, .ply, .las, .laz, .3d, .xyz, .csv, .txt and .dat are allowed",
+                   " holds no scans as far as its name says: folders, bags (.mcap, .db3) and files "
+                   "ending in .graph, .bin, .pcd, .ply, .las, .laz, .3d, .xyz, .csv, .txt and .dat "
+                   "are allowed",
                [&] { open_scans(file); });
   expect_error(ErrorKind::io, "cannot open : No such file or directory", [] { open_scans(""); });
 }
