@@ -46,6 +46,7 @@ class HeaderReader {
 
  private:
   static constexpr std::size_t kLongestLine = 1000;
+  static constexpr std::string_view kBlanks = " \t";
 
   Error refusal(std::string_view why) const {
     return Error(ErrorKind::input, fmt::format("{} is not a map of OctoMap (.bt, .ot): {}",
@@ -85,9 +86,11 @@ class HeaderReader {
   }
 
   void read_entry(std::string_view line) {
-    const std::size_t space = std::min(line.find(' '), line.size());
+    const std::size_t space = std::min(line.find_first_of(kBlanks), line.size());
     const std::string_view key = line.substr(0, space);
-    const std::string_view value = line.substr(std::min(space + 1, line.size()));
+    std::string_view value = line.substr(space);
+    value.remove_prefix(std::min(value.find_first_not_of(kBlanks), value.size()));
+    value = value.substr(0, value.find_last_not_of(kBlanks) + 1);
     if (key == "id") {
       if (std::find(kKnownTrees.begin(), kKnownTrees.end(), value) == kKnownTrees.end()) {
         throw refusal(
