@@ -1,5 +1,7 @@
 #include "io/octomap/header.hpp"
 
+#include "io/text.hpp"
+
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -79,8 +81,8 @@ class HeaderReader {
     Number number{};
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
     if (error != std::errc() || end != text.data() + text.size()) {
-      throw refusal(
-          fmt::format("\"{}\" in its header is followed by \"{}\", not by a number", key, text));
+      throw refusal(fmt::format("\"{}\" in its header is followed by {}, not by a number", key,
+                                in_quotes(text)));
     }
     return number;
   }
@@ -94,9 +96,9 @@ class HeaderReader {
     if (key == "id") {
       if (std::find(kKnownTrees.begin(), kKnownTrees.end(), value) == kKnownTrees.end()) {
         throw refusal(
-            fmt::format("it holds a tree of type \"{}\": OcTree, ColorOcTree and "
+            fmt::format("it holds a tree of type {}: OcTree, ColorOcTree and "
                         "OcTreeStamped can be read",
-                        value));
+                        in_quotes(value)));
       }
       id_ = value;
     } else if (key == "size") {
