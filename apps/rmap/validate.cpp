@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -56,6 +57,11 @@ Problems check_scans(const std::filesystem::path& path) {
     } catch (const Error& error) {
       problems.push_back({.sentence = error.what()});
     }
+  }
+  // What is read all the same is not as it should be either: a recording that is cut off, say.
+  ScanNotes notes = source->notes();
+  for (std::string& warning : notes.warnings) {
+    problems.push_back({.sentence = std::move(warning)});
   }
   return problems;
 }
@@ -146,10 +152,10 @@ void add_validate(CLI::App& app) {
       verb,
       {.usage = "FILE... [options]",
        .text = {"Reads all of a file as the other verbs would and tells what they would refuse: of "
-                "a map (.rmap) each damaged chunk with its type and place, of a folder of scans "
-                "each scan that cannot be read, of other files (.bt, .ot, .rcs, .bin, .pcd and "
-                "all that holds scans) the first thing that is wrong. Exits with 1 when anything "
-                "is."},
+                "a map (.rmap) each damaged chunk with its type and place, of all that holds "
+                "scans each one that cannot be read and what there is to warn of, of other files "
+                "(.bt, .ot, .rcs, .csv, .bin, .pcd) the first thing that is wrong. Exits with 1 "
+                "when anything is."},
        .examples = {"rmap validate street.rmap", "rmap validate street street.rmap --json"}});
   add_paths(verb, "FILE", arguments->files, "Maps, clouds, folders of scans, cuboids.")->required();
   add_json_flag(verb, arguments->json);

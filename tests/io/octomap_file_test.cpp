@@ -156,6 +156,7 @@ TEST(OctomapFile, WrongHeadersAreRefused) {
   EXPECT_EQ(refused, 22);
   // Lines of no meaning, and those of another system, are none of the errors.
   EXPECT_EQ(read(with("id OcTree", "id OcTree\r\nversion 3\n")).occupied.size(), 2u);
+  EXPECT_EQ(read(with("id OcTree", "id \t OcTree \n")).occupied.size(), 2u);
 }
 
 TEST(OctomapFile, NodesBelowTheDepthAreRefused) {

@@ -96,6 +96,21 @@ TEST(OctomapHostile, TreesOfAnotherLayoutAreRefused) {
   }
 }
 
+TEST(OctomapHostile, MessagesAreTextWhateverTheFileHolds) {
+  const test::TemporaryFolder folder;
+  const auto file = folder / "map.ot";
+  test::write_text(file, octomap_header(0, false, "0.25", "a\xd1\x1b[2J" + std::string(900, 'b')));
+  try {
+    read_octomap_info(file);
+    FAIL() << "it was taken";
+  } catch (const Error& error) {
+    const std::string sentence = error.what();
+    EXPECT_NE(sentence.find("it holds a tree of type \"a\\xd1\\x1b[2Jbbb"), std::string::npos)
+        << sentence;
+    EXPECT_LT(sentence.size(), file.string().size() + 200);
+  }
+}
+
 // Never more than an error that names the file, or a map.
 TEST(OctomapHostile, FlippedBitsDoNoHarm) {
   const test::TemporaryFolder folder;

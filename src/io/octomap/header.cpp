@@ -1,5 +1,7 @@
 #include "io/octomap/header.hpp"
 
+#include "io/text.hpp"
+
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -46,6 +48,7 @@ class HeaderReader {
 
  private:
   static constexpr std::size_t kLongestLine = 1000;
+  static constexpr std::string_view kBlanks = " \t";
 
   Error refusal(std::string_view why) const {
     return Error(ErrorKind::input, fmt::format("{} is not a map of OctoMap (.bt, .ot): {}",
@@ -78,22 +81,24 @@ class HeaderReader {
     Number number{};
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
     if (error != std::errc() || end != text.data() + text.size()) {
-      throw refusal(
-          fmt::format("\"{}\" in its header is followed by \"{}\", not by a number", key, text));
+      throw refusal(fmt::format("\"{}\" in its header is followed by {}, not by a number", key,
+                                in_quotes(text)));
     }
     return number;
   }
 
   void read_entry(std::string_view line) {
-    const std::size_t space = std::min(line.find(' '), line.size());
+    const std::size_t space = std::min(line.find_first_of(kBlanks), line.size());
     const std::string_view key = line.substr(0, space);
-    const std::string_view value = line.substr(std::min(space + 1, line.size()));
+    std::string_view value = line.substr(space);
+    value.remove_prefix(std::min(value.find_first_not_of(kBlanks), value.size()));
+    value = value.substr(0, value.find_last_not_of(kBlanks) + 1);
     if (key == "id") {
       if (std::find(kKnownTrees.begin(), kKnownTrees.end(), value) == kKnownTrees.end()) {
         throw refusal(
-            fmt::format("it holds a tree of type \"{}\": OcTree, ColorOcTree and "
+            fmt::format("it holds a tree of type {}: OcTree, ColorOcTree and "
                         "OcTreeStamped can be read",
-                        value));
+                        in_quotes(value)));
       }
       id_ = value;
     } else if (key == "size") {
