@@ -56,10 +56,9 @@ TEST_F(HostileBag, with_chunks_that_unpack_to_too_much_is_refused) {
   for (const auto compression : {test::TestCompression::zstd, test::TestCompression::lz4}) {
     const bool zstd = compression == test::TestCompression::zstd;
     const std::string packed = test::pack(compression, zeros);
-    const std::string chunk =
-        mcap_chunk(zstd ? "zstd" : "lz4", packed, zeros.size(), test::plain_crc32(""));
-    // lz4 packs 255 to 1 at best, which is no bomb: it is a chunk of many empty records.
-    EXPECT_THAT(refusal(start() + chunk), HasSubstr(zstd ? "which are allowed" : "is damaged"));
+    const std::string chunk = mcap_chunk(zstd ? "zstd" : "lz4", packed, zeros.size(), 0);
+    EXPECT_THAT(refusal(start() + chunk),
+                HasSubstr("100 times the packed size, which are allowed"));
     EXPECT_THAT(refusal(start() + mcap_chunk(zstd ? "zstd" : "lz4", packed.substr(0, 1000),
                                              std::uint64_t{1} << 63, 0)),
                 HasSubstr("it says that it unpacks to 9223372036854775808 bytes"));
