@@ -81,6 +81,7 @@ SqliteStorage::SqliteStorage(std::filesystem::path file)
     : file_(std::move(file)), file_size_(std::filesystem::file_size(file_)) {
   open();
   harden();
+  check_size();
   require_table("topics");
   require_table("messages");
   read_topics();
@@ -151,6 +152,23 @@ bool SqliteStorage::step(sqlite3_stmt* statement) const {
     throw Error(ErrorKind::io, fmt::format("cannot read {}: {}", file_.string(), reason));
   }
   throw damaged(fmt::format("SQLite says: {}", reason));
+}
+
+// SQLite itself reads a file whose last page is cut off as if zeros followed.
+void SqliteStorage::check_size() const {
+  const auto number = [&](const char* pragma) {
+    const Statement statement = prepare(pragma);
+    return step(statement.get())
+               ? static_cast<std::uint64_t>(sqlite3_column_int64(statement.get(), 0))
+               : 0;
+  };
+  const std::uint64_t pages = number("PRAGMA page_count");
+  const std::uint64_t page_size = number("PRAGMA page_size");
+  if (pages * page_size <= file_size_) return;
+  throw Error(ErrorKind::input,
+              fmt::format("{} is cut off: it has {} bytes, and its {} pages of {} "
+                          "bytes take {}",
+                          file_.string(), file_size_, pages, page_size, pages * page_size));
 }
 
 void SqliteStorage::require_table(const char* name) const {

@@ -42,6 +42,7 @@ class SqliteStorage : public BagStorage {
 
   void open();
   void harden();
+  void check_size() const;
   void read_topics();
   void require_table(const char* name) const;
   Statement prepare(std::string_view sql) const;

@@ -16,7 +16,8 @@ namespace rmap {
 namespace {
 
 constexpr std::uint64_t kFree = std::uint64_t{32} << 20;
-constexpr std::uint64_t kMostRatio = 1000;
+constexpr std::uint64_t kMostRatio = 1000;      // of all pieces, which bounds time
+constexpr std::uint64_t kMostPieceRatio = 100;  // of one, which bounds memory
 
 struct FreeLz4 {
   void operator()(LZ4F_dctx* context) const { LZ4F_freeDecompressionContext(context); }
@@ -37,6 +38,12 @@ void UnpackBudget::take(std::uint64_t packed, std::uint64_t unpacked) {
     throw Error(ErrorKind::limit, fmt::format("it says that it unpacks to {} bytes, and {} are "
                                               "allowed",
                                               unpacked, kMostUnpacked));
+  }
+  if (unpacked > kFree && (unpacked - kFree) / kMostPieceRatio > packed) {
+    throw Error(ErrorKind::limit,
+                fmt::format("its {} bytes say that they unpack to {}: that is more than {} bytes "
+                            "and {} times the packed size, which are allowed",
+                            packed, unpacked, kFree, kMostPieceRatio));
   }
   packed_ += packed;
   unpacked_ += unpacked;

@@ -11,7 +11,8 @@ namespace rmap {
 inline constexpr std::uint64_t kMostUnpacked = std::uint64_t{1} << 30;
 
 /// How much a bag may unpack to, so that a small file can take neither much memory nor much
-/// time: 32 MiB, and a thousand times the bytes that were packed so far.
+/// time: each piece 32 MiB and a hundred times its packed size, all so far 32 MiB and a thousand
+/// times theirs.
 class UnpackBudget {
  public:
   /// Throws Error(limit), without the place, when `packed` bytes that say that they unpack to

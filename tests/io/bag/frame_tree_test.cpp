@@ -2,6 +2,8 @@
 
 #include "io/files.hpp"
 
+#include <cmath>
+
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -12,7 +14,7 @@ using test::expect_error;
 
 StampedPose link(std::int64_t stamp, const std::string& parent, const std::string& child, double x,
                  double degrees = 0) {
-  const double half = degrees * EIGEN_PI / 360;
+  const double half = degrees * std::acos(-1.0) / 360;
   return {.header = {.stamp = stamp, .frame = parent},
           .child = child,
           .pose = make_pose({x, 0, 0}, {std::cos(half), 0, 0, std::sin(half)})};
