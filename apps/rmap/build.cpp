@@ -230,8 +230,7 @@ void add_build(CLI::App& app) {
        .examples = {"rmap build street -o street.rmap --resolution 0.1",
                     "rmap build street -o near.rmap --resolution 0.05 --max-range 20 --ignore "
                     "-1,-1,-2,1,1,1",
-                    "rmap build site.las -o site.rmap --resolution 0.5 --offset 494000,4878000,0 "
-                    "--sensor-origin 494500,4878100,900"}});
+                    "rmap build street/truth/surface.pcd -o surface.rmap --resolution 0.1 --end-points"}});
   add_paths(verb, "SCANS", arguments->scans, "Folders of scans, single scans, bags.")->required();
   add_path(verb, "-o,--output", arguments->output,
            "The map to write, ending in .rmap. Required, but for --dry-run.");

@@ -30,6 +30,7 @@ std::string words_of(const ScanNotes& notes) {
   }
   for (const std::string& warning : notes.warnings)
     text += fmt::format("  warning     {}\n", warning);
+  for (const std::string& remark : notes.remarks) text += fmt::format("  note        {}\n", remark);
   return text;
 }
 
@@ -57,6 +58,7 @@ Json json_of(const BuildReport& report, const BuiltMap& map) {
           {"scans", report.scans},
           {"scans_without_pose", report.notes.without_pose},
           {"warnings", report.notes.warnings},
+          {"remarks", report.notes.remarks},
           {"points", report.points},
           {"inserted", inserted.inserted},
           {"cut", inserted.cut},
@@ -100,6 +102,7 @@ Json json_of(const CheckReport& report) {
   return {{"scans", report.scans},
           {"scans_without_pose", report.notes.without_pose},
           {"warnings", report.notes.warnings},
+          {"remarks", report.notes.remarks},
           {"points", report.points},
           {"skipped", json_of(report.skipped, report.left_out)},
           {"problems", report.problems}};

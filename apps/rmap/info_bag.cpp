@@ -164,6 +164,32 @@ std::string advice(const std::filesystem::path& path, const BagInfo& bag) {
   return lines;
 }
 
+// A bag may come from a stranger, whose names are not to write to a terminal what they like.
+BagInfo fit_for_a_terminal(BagInfo bag) {
+  const auto clean = [](std::string& text) { text = printable(text); };
+  const auto clean_all = [&](std::vector<std::string>& texts) {
+    for (std::string& text : texts) clean(text);
+  };
+  for (BagTopicInfo& topic : bag.topics) {
+    for (std::string* text : {&topic.name, &topic.type, &topic.encoding, &topic.problem})
+      clean(*text);
+    clean_all(topic.frames);
+    clean_all(topic.child_frames);
+  }
+  for (BagFrameInfo& frame : bag.frames) {
+    clean(frame.name);
+    clean(frame.parent);
+  }
+  for (BagCloudsInfo& clouds : bag.clouds) {
+    for (std::string* text : {&clouds.topic, &clouds.poses, &clouds.problem}) clean(*text);
+  }
+  clean(bag.format);
+  clean(bag.frames_problem);
+  clean_all(bag.compressions);
+  clean_all(bag.warnings);
+  return bag;
+}
+
 std::string words_of(const std::filesystem::path& path, const BagInfo& bag) {
   std::string text = fmt::format(
       "{}: bag with {}\n"
@@ -186,7 +212,7 @@ std::string words_of(const std::filesystem::path& path, const BagInfo& bag) {
 
 Description describe_bag(const std::filesystem::path& path) {
   const BagInfo bag = read_bag_info(path);
-  return {.json = json_of(path, bag), .words = words_of(path, bag)};
+  return {.json = json_of(path, bag), .words = words_of(path, fit_for_a_terminal(bag))};
 }
 
 }  // namespace rmap::command

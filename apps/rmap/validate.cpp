@@ -5,9 +5,8 @@
 #include "progress.hpp"
 #include "verbs.hpp"
 
-#include <algorithm>
-#include <array>
 #include <memory>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -66,29 +65,31 @@ Problems check_scans(const std::filesystem::path& path) {
   return problems;
 }
 
-// A .csv may hold cuboids or points.
-Problems check_rows(const std::filesystem::path& file) {
-  const Problems as_cuboids = problem_of([&] { read_cuboids(file); });
-  if (as_cuboids.empty()) return {};
+// A table may hold something else or points.
+template <class Read>
+Problems check_rows(const std::filesystem::path& file, Read&& read, std::string_view what) {
+  const Problems as_that = problem_of(read);
+  if (as_that.empty()) return {};
   const Problems as_points = problem_of([&] { read_points(file); });
   if (as_points.empty()) return {};
-  return {{.sentence = fmt::format("as cuboids: {}; as points: {}", as_cuboids.front().sentence,
+  return {{.sentence = fmt::format("as {}: {}; as points: {}", what, as_that.front().sentence,
                                    as_points.front().sentence)}};
 }
 
 Problems check_by_name(const std::filesystem::path& file) {
-  constexpr std::array kClouds{".bin", ".pcd", ".ply", ".xyz", ".las"};
   std::error_code missing;
   if (std::filesystem::is_directory(file, missing)) return check_scans(file);
   const std::string ending = ending_of(file);
   if (ending == ".rmap") return check_map_file(file);
   if (ending == ".bt" || ending == ".ot") return problem_of([&] { read_octomap_info(file); });
   if (ending == ".rcs") return problem_of([&] { read_cuboids(file); });
-  if (ending == ".csv") return check_rows(file);
-  if (ending == ".txt") return problem_of([&] { read_poses(file); });
-  if (std::find(kClouds.begin(), kClouds.end(), ending) != kClouds.end()) {
-    return problem_of([&] { read_points(file); });
-  }
+  if (ending == ".csv")
+    return check_rows(
+        file, [&] { read_cuboids(file); }, "cuboids");
+  if (ending == ".txt")
+    return check_rows(
+        file, [&] { read_poses(file); }, "poses");
+  if (is_point_file(file)) return problem_of([&] { read_points(file); });
   return check_scans(file);
 }
 

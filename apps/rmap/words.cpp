@@ -207,6 +207,19 @@ std::string readable_bytes(std::uint64_t bytes) {
   return fmt::format("{:.1f} {}", number, unit);
 }
 
+std::string printable(std::string_view text) {
+  std::string result;
+  for (const char character : text) {
+    const auto code = static_cast<unsigned char>(character);
+    if (code < ' ' || code == 0x7f) {
+      result += fmt::format("\\x{:02x}", code);
+    } else {
+      result += character;
+    }
+  }
+  return result;
+}
+
 std::string in_brackets(const Vector3d& vector) {
   return fmt::format("({:.6g}, {:.6g}, {:.6g})", vector.x(), vector.y(), vector.z());
 }

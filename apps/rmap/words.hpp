@@ -108,6 +108,8 @@ std::string grouped(std::uint64_t number);
 std::string counted(std::uint64_t number, std::string_view noun);
 /// Bytes as people read them: "3.4 MiB".
 std::string readable_bytes(std::uint64_t bytes);
+/// A name that a stranger gave, fit for a terminal: control characters as \xNN.
+std::string printable(std::string_view text);
 /// "(1, 2.5, 3)".
 std::string in_brackets(const Vector3d& vector);
 /// "(0, 0, 0) to (1, 2, 3)".

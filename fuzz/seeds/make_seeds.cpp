@@ -4,6 +4,7 @@
 #include "io/files.hpp"
 #include "io/map_samples.hpp"
 #include "io/raw_map.hpp"
+#include "seeds.hpp"
 #include "support/random.hpp"
 
 #include <cstdio>
@@ -14,27 +15,11 @@
 
 #include <rmap/cuboid_files.hpp>
 #include <rmap/map_file.hpp>
+#include <rmap/octomap_file.hpp>
 #include <rmap/scan_files.hpp>
 
 namespace rmap::test {
 namespace {
-
-// Larger seeds slow the first mutations down and show no more.
-constexpr std::size_t kLargest = 4096;
-
-class Seeds {
- public:
-  explicit Seeds(std::filesystem::path folder) : folder_(std::move(folder)) {}
-
-  void add(const std::string& target, const std::string& name, const std::string& bytes) {
-    if (bytes.size() >= kLargest) throw std::runtime_error(target + "/" + name + " is too large");
-    std::filesystem::create_directories(folder_ / target);
-    write_text(folder_ / target / name, bytes);
-  }
-
- private:
-  std::filesystem::path folder_;
-};
 
 std::string saved(const Grid& grid) {
   const TemporaryFolder folder;
@@ -59,7 +44,7 @@ void add_maps(Seeds& seeds) {
   unknown.flags = 0;
   optional.chunks.insert(optional.chunks.begin() + 2, unknown);
   optional.chunk("END ").stored = raw(std::uint64_t{optional.chunks.size() - 1});
-  for (const std::string target : {"rmap_map", "rmap_info"}) {
+  for (const std::string target : {"rmap_map", "rmap_info", "repair"}) {
     seeds.add(target, "empty", saved(empty));
     seeds.add(target, "small", saved(small_map()));
     seeds.add(target, "small_plain", bytes_of(raw_map(small_map())));
@@ -135,6 +120,13 @@ void add_octomaps(Seeds& seeds) {
   path.resize(11);
   path.push_back(0x8001);  // an occupied leaf of 16^3 cells
   seeds.add("octomap", "large_leaf", octomap(14, path));
+  Grid grid({.resolution = 0.1});
+  for (int i = 0; i < 9; ++i) grid.set_value({i, -i, 2}, static_cast<Value>(300 * i - 1000));
+  const TemporaryFolder folder;
+  for (const std::string ending : {".ot", ".bt"}) {
+    export_octomap(grid, folder / ("a" + ending));
+    seeds.add("octomap_values", "cells" + ending, read_text(folder / ("a" + ending)));
+  }
 }
 
 void add_texts(Seeds& seeds) {
@@ -168,6 +160,8 @@ int main(int argc, char** argv) {
     rmap::test::add_poses(seeds);
     rmap::test::add_octomaps(seeds);
     rmap::test::add_texts(seeds);
+    rmap::test::add_clouds(seeds);
+    rmap::test::add_bags(seeds);
     return 0;
   } catch (const std::exception& error) {
     std::fprintf(stderr, "rmap_fuzz_seeds: %s\n", error.what());

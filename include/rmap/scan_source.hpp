@@ -18,7 +18,10 @@ namespace rmap {
 /// What a source met in a pass beside the scans that it gave.
 struct ScanNotes {
   std::uint64_t without_pose = 0;          ///< scans passed over because no pose is known for them
-  std::vector<std::string> warnings = {};  ///< a sentence each, for people
+  /// What is wrong with the files and could be read all the same, a sentence each.
+  std::vector<std::string> warnings = {};
+  /// What is sound and yet worth knowing, a sentence each.
+  std::vector<std::string> remarks = {};
 
   ScanNotes& operator+=(const ScanNotes& other);
 };

@@ -89,7 +89,7 @@ void carry_to_lidar(const std::filesystem::path& calibration, FolderPoses& found
   for (auto& pose : found.poses) {
     if (pose) pose = composed(*pose, *camera_from_lidar);
   }
-  found.notes.warnings.push_back(
+  found.notes.remarks.push_back(
       fmt::format("the poses are taken as those of KITTI's camera, since {} stands beside the "
                   "scans: its Tr carries them to the lidar, the map lies in the camera's axes",
                   calibration.string()));

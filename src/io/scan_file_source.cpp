@@ -50,7 +50,7 @@ class ScanFileSource final : public ScanSource {
   ScanNotes notes() const override {
     ScanNotes notes = notes_;
     if (quantum_ > 0) {
-      notes.warnings.push_back(fmt::format(
+      notes.remarks.push_back(fmt::format(
           "coordinates of {} are so large that float32 keeps them in steps of {:.3g} m: an offset "
           "near them keeps the digits of files that store more",
           coarse_file_.string(), quantum_));

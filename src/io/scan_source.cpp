@@ -85,6 +85,7 @@ class ScanSequence : public ScanSource {
 ScanNotes& ScanNotes::operator+=(const ScanNotes& other) {
   without_pose += other.without_pose;
   warnings.insert(warnings.end(), other.warnings.begin(), other.warnings.end());
+  remarks.insert(remarks.end(), other.remarks.begin(), other.remarks.end());
   return *this;
 }
 

@@ -92,8 +92,8 @@ TEST(FolderPoses, follow_kittis_layout) {
   ASSERT_TRUE(source->next(scan));
   EXPECT_EQ(scan.map_from_sensor.translation().x(), 5.25);
   EXPECT_EQ(rotated(scan.map_from_sensor, {1, 0, 0}), Vector3d(-1, 0, 0));
-  ASSERT_EQ(source->notes().warnings.size(), 1u);
-  EXPECT_NE(source->notes().warnings[0].find("KITTI's camera"), std::string::npos);
+  ASSERT_EQ(source->notes().remarks.size(), 1u);
+  EXPECT_NE(source->notes().remarks[0].find("KITTI's camera"), std::string::npos);
 
   write_text(sequence / "calib.txt", "Tr: 1 2 3\n");
   expect_error(ErrorKind::input,

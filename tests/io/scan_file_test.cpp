@@ -116,15 +116,15 @@ TEST(ScanFile, warns_of_coarse_coordinates) {
   const std::filesystem::path file = folder / "a.xyz";
   write_text(file, "1 2 5648349.8\n");
   const auto source = open_scans(file, {.end_points = true});
-  EXPECT_TRUE(source->notes().warnings.empty());
+  EXPECT_TRUE(source->notes().remarks.empty());
   for (Scan scan; source->next(scan);) {
   }
-  ASSERT_EQ(source->notes().warnings.size(), 1u);
-  EXPECT_NE(source->notes().warnings[0].find("in steps of 0.5 m"), std::string::npos);
+  ASSERT_EQ(source->notes().remarks.size(), 1u);
+  EXPECT_NE(source->notes().remarks[0].find("in steps of 0.5 m"), std::string::npos);
   const auto shifted = open_scans(file, {.end_points = true, .offset = {0, 0, 5648300}});
   for (Scan scan; shifted->next(scan);) {
   }
-  EXPECT_TRUE(shifted->notes().warnings.empty());
+  EXPECT_TRUE(shifted->notes().remarks.empty());
 }
 
 }  // namespace

@@ -125,7 +125,9 @@ BagPoses::BagPoses(const Bag& bag, const BagSurvey& survey, const SurveyedTopic&
     use_topic(request, *topic);
     return;
   }
-  if (try_transforms(request)) return;
+  // Transforms tell of the clouds' frame, which then is the map's and not the sensor's.
+  const bool in_map = options.frame == Frame::map;
+  if (!in_map && try_transforms(request)) return;
   const auto topics = survey.all(is_pose);
   if (topics.size() == 1) {
     use_topic(request, *topics.front());
@@ -200,8 +202,8 @@ void BagPoses::use_topic(const Request& request, const SurveyedTopic& topic) {
   }
   for (std::size_t i = 0; i < chains_.size(); ++i) {
     const std::string& cloud = request.clouds.frames[i];
-    // Without a child, poses are the sensor's.
-    if (child.empty() || child == cloud) continue;
+    // Without a child, poses are the sensor's; clouds in the map's frame do not name theirs.
+    if (child.empty() || child == cloud || request.options.frame == Frame::map) continue;
     require_frames_sound(request.survey);
     const FrameTree& frames = request.survey.frames;
     if (frames.root_of(child) != frames.root_of(cloud)) {

@@ -26,8 +26,6 @@ void check_options(const std::filesystem::path& path, const ScanReadOptions& opt
     throw Error(ErrorKind::usage,
                 fmt::format("{} has no meaning for the bag {}: {}", what, path.string(), why));
   };
-  refuse(options.frame == Frame::map, "frame (--frame) map",
-         "its clouds are in their sensor's frame");
   refuse(options.sensor_pose.has_value(), "sensor_pose (--sensor-pose)",
          "its scans have poses of their own, or those of a trajectory");
   refuse(options.sensor_origin.has_value(), "sensor_origin (--sensor-origin)",
@@ -59,7 +57,8 @@ double seconds_after(std::int64_t first, std::int64_t recorded) {
 
 class BagSource : public ScanSource {
  public:
-  BagSource(const std::filesystem::path& path, const ScanReadOptions& options) : bag_(path) {
+  BagSource(const std::filesystem::path& path, const ScanReadOptions& options)
+      : bag_(path), frame_(options.frame.value_or(Frame::sensor)), offset_(options.offset) {
     const BagSurvey found = survey(bag_);
     const SurveyedTopic& clouds = choose_clouds(bag_, found, options.bag);
     topic_ = clouds.topic.name;
@@ -71,12 +70,15 @@ class BagSource : public ScanSource {
     if (next_ == scans_.size()) return false;
     const PosedCloud& cloud = scans_[next_++];
     scan.map_from_sensor = cloud.pose;
-    scan.frame = Frame::sensor;
+    scan.frame = frame_;
     scan.origins.clear();
     scan.no_returns.clear();
     scan.sensor_range = std::numeric_limits<double>::infinity();
     scan.name = fmt::format("{}, message {} of {}", bag_.path().string(), cloud.number, topic_);
     with_memory_for(bag_.path(), [&] { read_points(cloud, scan.points); });
+    if (frame_ == Frame::map && !offset_.isZero(0)) {
+      for (Vector3f& point : scan.points) point = (point.cast<double>() - offset_).cast<float>();
+    }
     return true;
   }
 
@@ -132,6 +134,8 @@ class BagSource : public ScanSource {
   }
 
   Bag bag_;
+  Frame frame_;
+  Vector3d offset_;
   std::string topic_;
   std::vector<PosedCloud> scans_;
   ScanNotes notes_;

@@ -69,6 +69,28 @@ TEST(BagSource, takes_the_topic_that_is_chosen) {
                [&] { open_scans(file, {.bag = {.topic = "/tf"}}); });
 }
 
+TEST(BagSource, takes_clouds_that_are_in_the_map) {
+  const test::TemporaryFolder folder;
+  TestBag bag;
+  // Odometry of a frame that nothing links to the clouds, which name the map's.
+  for (int i = 0; i < 2; ++i) {
+    const std::int64_t stamp = kStart + i * kSecond;
+    bag.add(
+        "/odom", test::kOdometryType, stamp,
+        test::odometry_message(
+            {.stamp = stamp, .parent = "map", .child = "body", .translation = {100.0 + i, 0, 0}}));
+    add_cloud(bag, stamp, 105, "/registered", "map");
+  }
+  const std::string file = write(folder, bag);
+  EXPECT_EQ(scans_of(file, {.frame = Frame::map, .offset = {100, 0, 0}}),
+            (std::vector<test::ReadScan>{{5, 0}, {5, 1}}));
+  const auto source = open_scans(file, {.frame = Frame::map});
+  Scan scan;
+  ASSERT_TRUE(source->next(scan));
+  EXPECT_EQ(scan.frame, Frame::map);
+  EXPECT_THROW(open_scans(file), Error);
+}
+
 TEST(BagSource, takes_a_part_of_the_time) {
   const test::TemporaryFolder folder;
   const std::string file = write(folder, test::driving_bag(6));
@@ -109,8 +131,7 @@ TEST(BagSource, goes_on_behind_a_bad_cloud) {
 TEST(BagSource, refuses_options_without_meaning) {
   const test::TemporaryFolder folder;
   const std::string file = write(folder, test::driving_bag(1));
-  const std::vector<ScanReadOptions> all = {{.frame = Frame::map},
-                                            {.sensor_pose = Pose::Identity()},
+  const std::vector<ScanReadOptions> all = {{.sensor_pose = Pose::Identity()},
                                             {.sensor_origin = Vector3d(0, 0, 0)},
                                             {.end_points = true},
                                             {.columns = {"x"}},
@@ -126,7 +147,7 @@ TEST(BagSource, refuses_options_without_meaning) {
       EXPECT_THAT(error.what(), HasSubstr(" has no meaning for the bag " + file));
     }
   }
-  EXPECT_EQ(all.size(), 8u);
+  EXPECT_EQ(all.size(), 7u);
   EXPECT_EQ(scans_of(file, {.frame = Frame::sensor}).size(), 1u);
 }
 

@@ -1,0 +1,8 @@
+#include "io/tdtk_file.hpp"
+#include "support/input.hpp"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  const auto file = rmap::fuzz::write_file(rmap::fuzz::text_of(data, size), "scan.pose");
+  rmap::fuzz::is_sound(file, [&] { rmap::read_3dtk_pose(file); });
+  return 0;
+}
