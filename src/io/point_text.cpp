@@ -11,6 +11,8 @@ namespace rmap {
 
 namespace {
 
+// Nobody has so many; a hostile line of commas would take 16 times its length.
+constexpr std::size_t kMostColumns = 65536;
 constexpr std::string_view kBlanks = " \t\r\v\f";
 
 [[noreturn]] void fail(const std::filesystem::path& file, std::size_t line, std::size_t axis,
@@ -35,9 +37,15 @@ const std::vector<std::string_view>& WordSplitter::blanks(std::string_view line)
 
 const std::vector<std::string_view>& WordSplitter::separators(std::string_view line) {
   const char separator = line.find(';') != std::string_view::npos ? ';' : ',';
-  if (line.find(separator) == std::string_view::npos) return blanks(line);
   words_.clear();
-  for (bool more = true; more;) {
+  if (line.find(separator) == std::string_view::npos) {
+    for (auto word = next_word(line); !word.empty() && words_.size() < kMostColumns;
+         word = next_word(line)) {
+      words_.push_back(word);
+    }
+    return words_;
+  }
+  for (bool more = true; more && words_.size() < kMostColumns;) {
     const std::size_t end = line.find(separator);
     more = end != std::string_view::npos;
     words_.push_back(trimmed(line.substr(0, end)));

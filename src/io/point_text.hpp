@@ -18,7 +18,8 @@ class WordSplitter {
   /// The words between blanks and tabs. They live as long as `line` and until the next call.
   const std::vector<std::string_view>& blanks(std::string_view line);
   /// The words between blanks, tabs and semicolons, and commas where no semicolon separates
-  /// already. An empty place between two separators is an empty word.
+  /// already; not more than 65536, which are more than any table has. An empty place between two
+  /// separators is an empty word.
   const std::vector<std::string_view>& separators(std::string_view line);
 
  private:

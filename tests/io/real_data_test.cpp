@@ -71,7 +71,18 @@ TEST(RealData, clouds_have_their_points) {
   if (folder.empty()) GTEST_SKIP() << "the real data are missing: RMAP_DATA names their folder";
   const std::vector<Cloud> clouds = {{"office1_viewpoint.pcd", std::size_t{640} * 480, 254456},
                                      {"bun0_ascii.pcd", 397, 397},
-                                     {"city_samp12_utm.pcd", 52119, 52119}};
+                                     {"city_samp12_utm.pcd", 52119, 52119},
+                                     {"bunny.ply", 35947, 35947},
+                                     {"bunny_vertices_be.ply", 35947, 35947},
+                                     {"street_target_le.ply", 69088, 69088},
+                                     {"autzen_thin.las", 10653, 10653},
+                                     {"autzen_utm.las", 1065, 1065},
+                                     {"autzen_las12_color.las", 1065, 1065},
+                                     {"las14_pdrf6.las", 1000, 1000},
+                                     {"car_cloud400.csv", 24989, 24989},
+                                     {"points_cloudcompare.xyz", 101, 101},
+                                     {"tdtk/scan001.3d", 81360, 81360},
+                                     {"../maps/scan.dat", 88206, 88206}};
   for (const Cloud& cloud : clouds) {
     const auto points = read_points(folder / cloud.name);
     EXPECT_EQ(points.size(), cloud.points) << cloud.name;
@@ -91,6 +102,69 @@ TEST(RealData, clouds_have_their_points) {
   EXPECT_LT(high.z(), 12.0F);
   EXPECT_LT(low.x(), 0.0F);
   EXPECT_GT(high.x(), 0.0F);
+}
+
+TEST(RealData, one_bunny_is_the_other) {
+  const auto folder = test::real_data("clouds");
+  if (folder.empty()) GTEST_SKIP() << "the real data are missing: RMAP_DATA names their folder";
+  EXPECT_TRUE(test::same_bits(read_points(folder / "bunny.ply"),
+                              read_points(folder / "bunny_vertices_be.ply")));
+}
+
+// The header of a LAS file names the box of its points.
+TEST(RealData, las_points_fill_the_box_of_their_header) {
+  const auto folder = test::real_data("clouds");
+  if (folder.empty()) GTEST_SKIP() << "the real data are missing: RMAP_DATA names their folder";
+  const Vector3d low(493994.87, 4877429.62, 123.93);
+  const Vector3d high(494993.68, 4878817.02, 178.73);
+  const Vector3d offset(494000, 4878000, 0);
+  Vector3d least = high;
+  Vector3d most = low;
+  for (const Vector3f& point : read_points(folder / "autzen_utm.las", {.offset = offset})) {
+    least = least.cwiseMin(point.cast<double>() + offset);
+    most = most.cwiseMax(point.cast<double>() + offset);
+  }
+  EXPECT_LT((least - low).norm(), 1e-4);
+  EXPECT_LT((most - high).norm(), 1e-4);
+}
+
+// Another program turned the same scan to the right-handed form, refined its pose and left out
+// returns that are none.
+TEST(RealData, scans_of_3dtk_are_turned_as_others_turn_them) {
+  const auto file = test::real_data("clouds/tdtk/scan001.3d");
+  const auto other = test::real_data("sequences/corridor_tilt");
+  if (file.empty() || other.empty()) {
+    GTEST_SKIP() << "the real data are missing: RMAP_DATA names their folder";
+  }
+  Scan ours;
+  ASSERT_TRUE(open_scans(file)->next(ours));
+  Scan theirs;
+  ASSERT_TRUE(open_scans(other / "000001.bin")->next(theirs));
+  EXPECT_LT((ours.map_from_sensor.translation() - theirs.map_from_sensor.translation()).norm(),
+            0.05);
+  EXPECT_LT((ours.map_from_sensor.linear() - theirs.map_from_sensor.linear()).norm(), 0.01);
+  // In the order of the file, some left out.
+  std::size_t found = 0;
+  auto place = ours.points.begin();
+  for (const Vector3f& point : theirs.points) {
+    const auto match = std::find_if(place, ours.points.end(), [&](const Vector3f& candidate) {
+      return (candidate - point).norm() < 1e-5F * point.norm();
+    });
+    if (match == ours.points.end()) continue;
+    place = match + 1;
+    ++found;
+  }
+  EXPECT_GT(found, theirs.points.size() * 99 / 100);
+}
+
+TEST(RealData, a_scan_graph_is_read_whole) {
+  const auto file = test::real_data("maps/spherical_scan.graph");
+  if (file.empty()) GTEST_SKIP() << "the real data are missing: RMAP_DATA names their folder";
+  const auto source = open_scans(file);
+  Scan scan;
+  ASSERT_TRUE(source->next(scan));
+  EXPECT_EQ(scan.points.size(), 10201u);
+  EXPECT_FALSE(source->next(scan));
 }
 
 }  // namespace
