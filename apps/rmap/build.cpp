@@ -136,6 +136,22 @@ BuildReport insert_all(Grid& grid, WantedScans& scans, History history) {
   return report;
 }
 
+// A map of nothing is no answer, and must not take the place of one.
+void require_effect(const BuildReport& report) {
+  if (report.scans == 0) {
+    std::string why;
+    for (const std::string& warning : report.notes.warnings) why += "; " + warning;
+    throw Error(ErrorKind::input,
+                fmt::format("there is no scan to build from, and nothing was written{}", why));
+  }
+  if (report.inserted.inserted + report.inserted.cut > 0) return;
+  throw Error(
+      ErrorKind::input,
+      fmt::format("none of the {} of {} has an effect, and nothing was written; skipped: {}",
+                  counted(report.points, "point"), counted(report.scans, "scan"),
+                  words_of(report.inserted.skipped, report.left_out)));
+}
+
 // Each scan meets a map of its own, so that memory stays that of one scan.
 CheckReport check_all(const Options& options, WantedScans& scans) {
   CheckReport report;
@@ -191,6 +207,7 @@ void run(const BuildArguments& arguments) {
   Grid grid = starting_grid(arguments);
   WantedScans scans(arguments);
   BuildReport report = insert_all(grid, scans, arguments.history);
+  require_effect(report);
   Stopwatch watch;
   save_map(grid, arguments.output);
   report.seconds_save = watch.lap();
@@ -227,10 +244,11 @@ void add_build(CLI::App& app) {
             "The map does not depend on the order of points in a scan, --threads or --layout. "
             "Points that had no effect are counted by reason: points = inserted + cut + skipped.",
             "A box (BOX) is six numbers x0,y0,z0,x1,y1,z1 in metres."},
-       .examples = {"rmap build street -o street.rmap --resolution 0.1",
-                    "rmap build street -o near.rmap --resolution 0.05 --max-range 20 --ignore "
-                    "-1,-1,-2,1,1,1",
-                    "rmap build street/truth/surface.pcd -o surface.rmap --resolution 0.1 --end-points"}});
+       .examples = {
+           "rmap build street -o street.rmap --resolution 0.1",
+           "rmap build street -o near.rmap --resolution 0.05 --max-range 20 --ignore "
+           "-1,-1,-2,1,1,1",
+           "rmap build street/truth/surface.pcd -o surface.rmap --resolution 0.1 --end-points"}});
   add_paths(verb, "SCANS", arguments->scans, "Folders of scans, single scans, bags.")->required();
   add_path(verb, "-o,--output", arguments->output,
            "The map to write, ending in .rmap. Required, but for --dry-run.");

@@ -5,6 +5,7 @@
 #include "octomap_maps.hpp"
 #include "output.hpp"
 #include "progress.hpp"
+#include "scan_options.hpp"
 #include "signals.hpp"
 #include "staged_folder.hpp"
 #include "verbs.hpp"
@@ -16,6 +17,7 @@
 
 #include <fmt/format.h>
 
+#include <rmap/bag_info.hpp>
 #include <rmap/cell_files.hpp>
 #include <rmap/cells.hpp>
 #include <rmap/crop.hpp>
@@ -39,6 +41,7 @@ struct ConvertArguments {
   std::optional<Box> crop;
   ScanEnding format = ScanEnding::bin;
   OctomapOptions octomap;
+  ScanOptions reading;
   bool json = false;
   // Not every option suits every input: one without effect is refused.
   std::vector<const CLI::Option*> map_options;
@@ -136,7 +139,7 @@ void convert_map(const ConvertArguments& arguments) {
 
 void convert_scans(const ConvertArguments& arguments) {
   const SignalHold hold;
-  const auto source = open_scans(arguments.input);
+  const auto source = open_scans(arguments.input, arguments.reading.options());
   StagedFolder folder(arguments.output);
   check_no_scans(arguments.output);
   std::uint64_t scans = 0;
@@ -158,28 +161,60 @@ void convert_scans(const ConvertArguments& arguments) {
 void convert_cloud(const ConvertArguments& arguments) {
   refuse(arguments.format_option, "the ending of the output says the format");
   check_output_file(arguments.output);
-  const std::vector<Vector3f> points = read_points(arguments.input);
+  const std::vector<Vector3f> points = read_points(arguments.input, arguments.reading.options());
   const SignalHold hold;
   write_points(arguments.output, points);
   hold.check();
   report(arguments, points.size(), "point");
+  const double step = coordinate_step(points);
+  if (step > 0 && !arguments.json) {
+    print(
+        fmt::format("  note        float32 keeps the largest coordinates in steps of {:.3g} m: "
+                    "--offset keeps their digits\n",
+                    step));
+  }
+}
+
+void refuse_output(const ConvertArguments& arguments, bool folder) {
+  std::error_code missing;
+  if (std::filesystem::equivalent(arguments.input, arguments.output, missing) && !missing) {
+    throw Error(ErrorKind::input,
+                fmt::format("{} is both input and output: the output must be another file",
+                            arguments.input.string()));
+  }
+  const std::string ending = ending_of(arguments.output);
+  const bool file =
+      ending == ".rmap" || ending == ".bt" || ending == ".ot" || is_point_file(arguments.output);
+  if (folder && file) {
+    throw Error(ErrorKind::input,
+                fmt::format("scans become a folder of scans, and the output {} is named as a file: "
+                            "`rmap build` makes maps of scans",
+                            arguments.output.string()));
+  }
 }
 
 void run(const ConvertArguments& arguments) {
   std::error_code missing;
   const bool folder = std::filesystem::is_directory(arguments.input, missing);
   const std::string ending = ending_of(arguments.input);
-  if (!folder && (ending == ".rmap" || is_octomap(arguments.input))) return convert_map(arguments);
+  if (!folder && (ending == ".rmap" || is_octomap(arguments.input))) {
+    refuse_output(arguments, false);
+    return convert_map(arguments);
+  }
   for (const CLI::Option* option : arguments.map_options) refuse(option, "it is for maps");
   for (const CLI::Option* option : arguments.octomap.options()) refuse(option, "it is for maps");
   refuse(arguments.cells_option, "it is for maps");
-  if (folder) return convert_scans(arguments);
+  const bool scans = folder || is_bag(arguments.input) || ending == ".graph";
+  refuse_output(arguments, scans);
+  if (scans) return convert_scans(arguments);
   if (is_point_file(arguments.input)) return convert_cloud(arguments);
   throw Error(
       ErrorKind::input,
-      fmt::format("the input {} is nothing that can be converted as far as its name says: a "
-                  "map (.rmap, .bt, .ot), a folder of scans or a cloud (.bin, .pcd) are allowed",
-                  arguments.input.string()));
+      fmt::format(
+          "the input {} is nothing that can be converted as far as its name says: a "
+          "map (.rmap, .bt, .ot), scans (a folder, a bag, .graph) or a cloud (.pcd, .ply, .las "
+          "and so on) are allowed",
+          arguments.input.string()));
 }
 
 }  // namespace
@@ -197,8 +232,8 @@ void add_convert(CLI::App& app) {
             "A .bt holds the states of cells alone, a .ot their values too; neither holds options, "
             "history and scans. Large leaves of OctoMap become the cells that they stand for, up "
             "to --max-cells.",
-            "A folder of scans becomes another one with files of --format; a cloud (.bin or "
-            ".pcd) becomes the other of the two. Points alone are kept, no intensity."},
+            "A folder of scans becomes another one with files of --format; a cloud becomes "
+            ".bin or .pcd. Points alone are kept, no intensity."},
        .examples = {"rmap convert street.rmap street.ply",
                     "rmap convert street.rmap coarse.rmap --coarsen 4 --criterion max",
                     "rmap convert street.rmap street.ot",
@@ -227,6 +262,7 @@ void add_convert(CLI::App& app) {
                "Files in a folder of scans: " + word_list<ScanEnding>() + " (default bin).");
   arguments->octomap.add_to(verb);
   add_json_flag(verb, arguments->json);
+  arguments->reading.add_to(verb);
   verb.callback([arguments] { run(*arguments); });
 }
 

@@ -4,6 +4,7 @@
 #include "help.hpp"
 #include "map_options.hpp"
 #include "output.hpp"
+#include "scan_options.hpp"
 #include "verbs.hpp"
 
 #include <memory>
@@ -22,16 +23,18 @@ namespace {
 struct InfoArguments {
   std::vector<std::filesystem::path> files;
   LoadOptions load;
+  ScanOptions reading;
   bool json = false;
 };
 
-Description describe(const std::filesystem::path& file, const LoadOptions& options) {
+Description describe(const std::filesystem::path& file, const LoadOptions& options,
+                     const ScanReadOptions& reading) {
   if (is_bag(file)) return describe_bag(file);
   std::error_code missing;
-  if (std::filesystem::is_directory(file, missing)) return describe_scans(file);
+  if (std::filesystem::is_directory(file, missing)) return describe_scans(file, reading);
   const std::string ending = ending_of(file);
-  if (ending == ".graph") return describe_scans(file);
-  if (is_point_file(file)) return describe_cloud(file);
+  if (ending == ".graph") return describe_scans(file, reading);
+  if (is_point_file(file)) return describe_cloud(file, reading);
   if (ending == ".rcs") return describe_cuboids(file);
   if (ending == ".bt" || ending == ".ot") return describe_octomap(file);
   // Whatever else it is called: the reader says what is wrong with a file that is none.
@@ -41,7 +44,7 @@ Description describe(const std::filesystem::path& file, const LoadOptions& optio
 void run(const InfoArguments& arguments) {
   Json answers = Json::array();
   for (const std::filesystem::path& file : arguments.files) {
-    Description description = describe(file, arguments.load);
+    Description description = describe(file, arguments.load, arguments.reading.options());
     if (arguments.json) {
       answers.push_back(std::move(description.json));
     } else {
@@ -75,6 +78,7 @@ void add_info(CLI::App& app) {
   add_paths(verb, "FILE", arguments->files, "Maps, folders of scans, bags, clouds, cuboids.")
       ->required();
   add_json_flag(verb, arguments->json);
+  arguments->reading.add_to(verb);
   add_load_options(verb, arguments->load);
   verb.callback([arguments] { run(*arguments); });
 }

@@ -6,6 +6,7 @@
 #include <string>
 
 #include <rmap/map_file.hpp>
+#include <rmap/scan_read_options.hpp>
 
 namespace rmap::command {
 
@@ -20,8 +21,8 @@ struct Description {
 Description describe_map(const std::filesystem::path& file, const LoadOptions& options);
 Description describe_octomap(const std::filesystem::path& file);
 Description describe_bag(const std::filesystem::path& path);
-Description describe_scans(const std::filesystem::path& folder);
-Description describe_cloud(const std::filesystem::path& file);
+Description describe_scans(const std::filesystem::path& folder, const ScanReadOptions& options);
+Description describe_cloud(const std::filesystem::path& file, const ScanReadOptions& options);
 Description describe_cuboids(const std::filesystem::path& file);
 
 }  // namespace rmap::command

@@ -73,8 +73,8 @@ struct ScansSummary {
 
 }  // namespace
 
-Description describe_scans(const std::filesystem::path& folder) {
-  const auto source = open_scans(folder);
+Description describe_scans(const std::filesystem::path& folder, const ScanReadOptions& options) {
+  const auto source = open_scans(folder, options);
   ScansSummary sum;
   Progress progress("reading", source->size());
   Scan scan;
@@ -106,22 +106,30 @@ Description describe_scans(const std::filesystem::path& folder) {
               sum.bounds.words(), sum.path_length)};
 }
 
-Description describe_cloud(const std::filesystem::path& file) {
-  const std::vector<Vector3f> points = read_points(file);
+Description describe_cloud(const std::filesystem::path& file, const ScanReadOptions& options) {
+  const std::vector<Vector3f> points = read_points(file, options);
   Extent bounds;
   for (const Vector3f& point : points) {
     if (point.allFinite()) bounds.add(point.cast<double>());
   }
+  const double step = coordinate_step(points);
+  const std::string note =
+      step == 0 ? ""
+                : fmt::format(
+                      "  note        float32 keeps the largest in steps of {:.3g} m: "
+                      "--offset keeps their digits\n",
+                      step);
   return {.json = {{"file", file.string()},
                    {"kind", "cloud"},
                    {"points", points.size()},
                    {"finite", bounds.count()},
+                   {"coordinate_step", step},
                    {"bounds", bounds.json()}},
           .words = fmt::format("{}: cloud of {}\n"
                                "  finite      {}\n"
-                               "  bounds      {}\n",
+                               "  bounds      {}\n{}",
                                file.string(), counted(points.size(), "point"),
-                               grouped(bounds.count()), bounds.words())};
+                               grouped(bounds.count()), bounds.words(), note)};
 }
 
 }  // namespace rmap::command

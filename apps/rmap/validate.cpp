@@ -3,6 +3,7 @@
 #include "json.hpp"
 #include "output.hpp"
 #include "progress.hpp"
+#include "scan_options.hpp"
 #include "verbs.hpp"
 
 #include <memory>
@@ -25,6 +26,7 @@ namespace {
 
 struct ValidateArguments {
   std::vector<std::filesystem::path> files;
+  ScanOptions reading;
   bool json = false;
 };
 
@@ -45,8 +47,8 @@ Problems problem_of(Read&& read) {
 }
 
 // Each scan that cannot be read, not only the first.
-Problems check_scans(const std::filesystem::path& path) {
-  const auto source = open_scans(path);
+Problems check_scans(const std::filesystem::path& path, const ScanReadOptions& reading) {
+  const auto source = open_scans(path, reading);
   Problems problems;
   Progress progress("checking", source->size());
   Scan scan;
@@ -67,36 +69,39 @@ Problems check_scans(const std::filesystem::path& path) {
 
 // A table may hold something else or points.
 template <class Read>
-Problems check_rows(const std::filesystem::path& file, Read&& read, std::string_view what) {
+Problems check_rows(const std::filesystem::path& file, const ScanReadOptions& reading, Read&& read,
+                    std::string_view what) {
   const Problems as_that = problem_of(read);
   if (as_that.empty()) return {};
-  const Problems as_points = problem_of([&] { read_points(file); });
+  const Problems as_points = problem_of([&] { read_points(file, reading); });
   if (as_points.empty()) return {};
   return {{.sentence = fmt::format("as {}: {}; as points: {}", what, as_that.front().sentence,
                                    as_points.front().sentence)}};
 }
 
-Problems check_by_name(const std::filesystem::path& file) {
+Problems check_by_name(const std::filesystem::path& file, const ScanReadOptions& reading) {
   std::error_code missing;
-  if (std::filesystem::is_directory(file, missing)) return check_scans(file);
+  if (std::filesystem::is_directory(file, missing)) return check_scans(file, reading);
   const std::string ending = ending_of(file);
   if (ending == ".rmap") return check_map_file(file);
   if (ending == ".bt" || ending == ".ot") return problem_of([&] { read_octomap_info(file); });
   if (ending == ".rcs") return problem_of([&] { read_cuboids(file); });
-  if (ending == ".csv")
-    return check_rows(
-        file, [&] { read_cuboids(file); }, "cuboids");
-  if (ending == ".txt")
-    return check_rows(
-        file, [&] { read_poses(file); }, "poses");
-  if (is_point_file(file)) return problem_of([&] { read_points(file); });
-  return check_scans(file);
+  if (ending == ".csv") {
+    const auto read = [&] { read_cuboids(file); };
+    return check_rows(file, reading, read, "cuboids");
+  }
+  if (ending == ".txt") {
+    const auto read = [&] { read_poses(file); };
+    return check_rows(file, reading, read, "poses");
+  }
+  if (is_point_file(file)) return problem_of([&] { read_points(file, reading); });
+  return check_scans(file, reading);
 }
 
 // A file that cannot be opened is a problem like others: those behind it are still looked at.
-Problems check(const std::filesystem::path& file) {
+Problems check(const std::filesystem::path& file, const ScanReadOptions& reading) {
   try {
-    return check_by_name(file);
+    return check_by_name(file, reading);
   } catch (const Error& error) {
     return {{.sentence = error.what()}};
   }
@@ -121,11 +126,12 @@ std::string words_of(const std::filesystem::path& file, const Problems& problems
 }
 
 void run(const ValidateArguments& arguments) {
+  const ScanReadOptions reading = arguments.reading.options();
   Json answers = Json::array();
   std::size_t wrong = 0;
   std::string first;
   for (const std::filesystem::path& file : arguments.files) {
-    const Problems problems = check(file);
+    const Problems problems = check(file, reading);
     if (!problems.empty() && wrong++ == 0) first = problems.front().sentence;
     if (arguments.json) {
       answers.push_back(json_of(file, problems));
@@ -160,6 +166,7 @@ void add_validate(CLI::App& app) {
        .examples = {"rmap validate street.rmap", "rmap validate street street.rmap --json"}});
   add_paths(verb, "FILE", arguments->files, "Maps, clouds, folders of scans, cuboids.")->required();
   add_json_flag(verb, arguments->json);
+  arguments->reading.add_to(verb);
   verb.callback([arguments] { run(*arguments); });
 }
 

@@ -31,6 +31,10 @@ bool is_point_file(const std::filesystem::path& file);
 std::vector<Vector3f> read_points(const std::filesystem::path& file,
                                   const ScanReadOptions& options = {});
 
+/// Metres from the largest finite coordinate to its neighbour, as float32 keeps it: 0.5 at
+/// 5,600,000. 0 where no coordinate is beyond 1e5.
+double coordinate_step(std::span<const Vector3f> points);
+
 /// Writes points as `.bin` (intensity 0) or `.pcd` (binary x y z), by the ending of
 /// `file`; reading gives the same bits back. An empty `.bin` cannot be told from a
 /// failed copy: no points are an Error(input) there, and fine in a `.pcd`. Complete

@@ -51,8 +51,9 @@ std::vector<std::optional<Pose>> read_in_order(const std::filesystem::path& file
 std::vector<std::optional<Pose>> read_by_time(const std::filesystem::path& file,
                                               const std::filesystem::path& folder,
                                               std::size_t scans,
-                                              const std::filesystem::path& times_file) {
-  const Trajectory trajectory = read_trajectory(file);
+                                              const std::filesystem::path& times_file,
+                                              QuaternionOrder order) {
+  const Trajectory trajectory = read_trajectory(file, {}, order);
   const std::vector<std::int64_t> times = read_times(times_file);
   if (times.size() != scans) {
     throw Error(ErrorKind::input,
@@ -70,7 +71,7 @@ std::vector<std::optional<Pose>> read_trajectory_of(const std::filesystem::path&
                                                     const ScanReadOptions& options) {
   const std::filesystem::path times = options.times.empty() ? folder / "times.txt" : options.times;
   const bool by_time = has_times(options.trajectory) && (!options.times.empty() || is_there(times));
-  return by_time ? read_by_time(options.trajectory, folder, scans, times)
+  return by_time ? read_by_time(options.trajectory, folder, scans, times, options.quaternion)
                  : read_in_order(options.trajectory, folder, scans, options.quaternion);
 }
 
@@ -82,10 +83,24 @@ std::filesystem::path kitti_poses(const std::filesystem::path& folder) {
 }
 
 // Poses of the camera become those of the lidar.
-void carry_to_lidar(const std::filesystem::path& calibration, FolderPoses& found) {
-  if (!is_there(calibration)) return;
+void carry_to_lidar(const std::filesystem::path& calibration, bool in_kittis_layout,
+                    FolderPoses& found) {
+  if (!is_there(calibration)) {
+    if (in_kittis_layout) {
+      found.notes.remarks.push_back(
+          fmt::format("the poses are taken as those of the lidar: {} would carry those of KITTI's "
+                      "camera to it, and is missing",
+                      calibration.string()));
+    }
+    return;
+  }
   const auto camera_from_lidar = read_kitti_calibration(calibration);
-  if (!camera_from_lidar) return;
+  if (!camera_from_lidar) {
+    throw Error(ErrorKind::input,
+                fmt::format("{} has no line Tr: or Tr_velo_to_cam:, which must carry the poses of "
+                            "KITTI's camera to the lidar",
+                            calibration.string()));
+  }
   for (auto& pose : found.poses) {
     if (pose) pose = composed(*pose, *camera_from_lidar);
   }
@@ -101,13 +116,13 @@ std::optional<FolderPoses> found_poses(const std::filesystem::path& folder,
   FolderPoses found;
   if (!options.trajectory.empty()) {
     found.poses = read_trajectory_of(folder, files.size(), options);
-    if (!has_times(options.trajectory)) carry_to_lidar(folder / "calib.txt", found);
+    if (!has_times(options.trajectory)) carry_to_lidar(folder / "calib.txt", false, found);
     return found;
   }
   for (const auto& file : {folder / kPosesName, kitti_poses(folder)}) {
     if (!is_there(file)) continue;
     found.poses = read_in_order(file, folder, files.size(), options.quaternion);
-    carry_to_lidar(folder / "calib.txt", found);
+    carry_to_lidar(folder / "calib.txt", file.filename() != kPosesName, found);
     return found;
   }
   if (!std::all_of(files.begin(), files.end(), has_pose_beside)) return std::nullopt;

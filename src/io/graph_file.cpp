@@ -23,6 +23,7 @@ namespace {
 // A vector is its length, a u32, and as many doubles.
 constexpr std::size_t kPointSize = 4 + 3 * 8;
 constexpr std::size_t kPoseSize = kPointSize + 4 + 4 * 8;
+constexpr std::size_t kEdgeSize = 4 + 4 + kPoseSize + 8;  // two scans, a pose, a weight
 constexpr std::size_t kPointsPerPiece = 8192;
 
 class GraphSource final : public ScanSource {
@@ -36,7 +37,12 @@ class GraphSource final : public ScanSource {
   }
 
   bool next(Scan& scan) override {
-    if (failed_ || next_ == scans_) return false;
+    if (failed_ || ended_) return false;
+    if (next_ == scans_) {
+      ended_ = true;
+      check_end();
+      return false;
+    }
     // Behind an error it is not known where the next scan begins.
     failed_ = true;
     with_memory_for(path_, [&] { read(scan); });
@@ -50,12 +56,23 @@ class GraphSource final : public ScanSource {
     position_ = 0;
     next_ = 0;
     failed_ = false;
+    ended_ = false;
     number();
   }
 
   std::optional<std::size_t> size() const override { return scans_; }
 
  private:
+  // Behind the scans stand their edges, and nothing else.
+  void check_end() {
+    const std::uint64_t edges = number();
+    const std::uint64_t left = file_.size() - position_;
+    if (left / kEdgeSize == edges && left % kEdgeSize == 0) return;
+    fail(fmt::format(
+        "it announces {} edges of {} bytes each behind its scans, and {} bytes are left", edges,
+        kEdgeSize, left));
+  }
+
   void read(Scan& scan) {
     const std::uint64_t count = number();
     if (count > (file_.size() - position_) / kPointSize) {
@@ -147,6 +164,7 @@ class GraphSource final : public ScanSource {
   std::uint32_t scans_ = 0;
   std::uint32_t next_ = 0;
   bool failed_ = false;
+  bool ended_ = false;
   std::vector<std::byte> piece_;
 };
 

@@ -74,19 +74,6 @@ void check_not_misnamed(const InputFile& file, const PointFormat& format) {
   }
 }
 
-// Metres from the largest coordinate to its neighbour, where that is far.
-double quantum_of(std::span<const Vector3f> points) {
-  float largest = 0;
-  for (const Vector3f& point : points) {
-    for (const float coordinate : point) {
-      if (std::isfinite(coordinate)) largest = std::max(largest, std::abs(coordinate));
-    }
-  }
-  if (largest <= kFarCoordinate) return 0;
-  return static_cast<double>(std::nextafter(largest, std::numeric_limits<float>::infinity())) -
-         static_cast<double>(largest);
-}
-
 // What the reader has left as it is in the file.
 void shift(const PointReadOptions& options, PointCloud& cloud) {
   const bool in_map = options.in_map || !cloud.origins.empty();
@@ -113,6 +100,18 @@ const PointFormat* find_point_format(std::string_view ending) {
   return found == kFormats.end() ? nullptr : &*found;
 }
 
+double coordinate_step(std::span<const Vector3f> points) {
+  float largest = 0;
+  for (const Vector3f& point : points) {
+    for (const float coordinate : point) {
+      if (std::isfinite(coordinate)) largest = std::max(largest, std::abs(coordinate));
+    }
+  }
+  if (largest <= kFarCoordinate) return 0;
+  return static_cast<double>(std::nextafter(largest, std::numeric_limits<float>::infinity())) -
+         static_cast<double>(largest);
+}
+
 bool is_point_file(const std::filesystem::path& file) {
   return find_point_format(ending_of(file)) != nullptr;
 }
@@ -133,9 +132,9 @@ double read_cloud(const std::filesystem::path& file, const PointReadOptions& opt
   check_not_misnamed(input, format);
   cloud.clear();
   with_memory_for(file, [&] { format.read(input, options, cloud); });
-  double quantum = cloud.stored_as_floats ? quantum_of(cloud.points) : 0;
+  double quantum = cloud.stored_as_floats ? coordinate_step(cloud.points) : 0;
   shift(options, cloud);
-  return std::max(quantum, quantum_of(cloud.points));
+  return std::max(quantum, coordinate_step(cloud.points));
 }
 
 std::vector<Vector3f> read_points(const std::filesystem::path& file,

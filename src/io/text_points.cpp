@@ -52,12 +52,16 @@ class TextPointReader {
 
   void read() {
     while (lines_.next()) {
+      if (!points_) read_comment(lines_.line());
       const Words& words = split_.separators(without_comment(lines_.line()));
       if (is_blank(words)) continue;
       if (!points_) {
         if (read_head(words)) continue;
-        points_.emplace(PointWords{.point = {0, 1, 2}, .origin = std::nullopt}, options_, cloud_);
         columns_ = words.size();
+        points_.emplace(commented_ && commented_columns_ == columns_
+                            ? *commented_
+                            : PointWords{.point = {0, 1, 2}, .origin = std::nullopt},
+                        options_, cloud_);
       }
       read_point(words);
     }
@@ -74,6 +78,23 @@ class TextPointReader {
   }
 
  private:
+  // Names of columns may stand in a comment before the points, as some programs write them.
+  void read_comment(std::string_view line) {
+    const std::size_t begin = line.find_first_not_of("#/ \t");
+    const bool comment = line.starts_with('#') || line.starts_with("//");
+    if (!comment || begin == std::string_view::npos) return;
+    const auto fields = fields_of(split_.separators(line.substr(begin)));
+    if (!fields) return;
+    commented_ = PointWords{.point = fields->point, .origin = fields->origin};
+    commented_columns_ = split_.separators(line.substr(begin)).size();
+  }
+
+  static std::optional<PointFields> fields_of(const Words& words) {
+    std::vector<std::string> names;
+    for (const std::string_view word : words) names.emplace_back(without_quotes(word));
+    return find_point_fields(names);
+  }
+
   // Whether the first line that says anything is no point: names or how many there are.
   bool read_head(const Words& words) {
     if (!announced_ && words.size() == 1) {
@@ -87,9 +108,7 @@ class TextPointReader {
                               "one by one",
                               file_.string()));
     }
-    std::vector<std::string> names;
-    for (const std::string_view word : words) names.emplace_back(without_quotes(word));
-    const auto fields = find_point_fields(names);
+    const auto fields = fields_of(words);
     if (!fields) {
       fail(fmt::format("{} are neither a point nor the names of columns, among which must be {}",
                        in_quotes(fmt::format("{}", fmt::join(words, " "))), kPointFieldNames));
@@ -124,6 +143,8 @@ class TextPointReader {
   WordSplitter split_;
   std::optional<PointTextReader> points_;
   std::optional<std::uint64_t> announced_;
+  std::optional<PointWords> commented_;  // where a comment says the coordinates are
+  std::size_t commented_columns_ = 0;
   std::size_t columns_ = 0;
 };
 

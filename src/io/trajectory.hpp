@@ -6,6 +6,7 @@
 #include <vector>
 
 #include <rmap/pose.hpp>
+#include <rmap/scan_read_options.hpp>
 
 namespace rmap {
 
@@ -34,11 +35,13 @@ class Trajectory {
 };
 
 /// Reads poses with times from a text file, one a line: 8 numbers (TUM: time in seconds, tx ty
-/// tz qx qy qz qw), or 12 (KITTI: 3x4 matrix, row by row) whose times, in seconds, stand one a
-/// line in `times`. `#` starts a comment, blank lines are skipped. Throws Error(input) with the
-/// line, and Error(usage) when `times` is missing for KITTI lines or given for others.
+/// tz qx qy qz qw, or qw first by `order`), or 12 (KITTI: 3x4 matrix, row by row) whose times, in
+/// seconds, stand one a line in `times`. `#` starts a comment, blank lines are skipped. Throws
+/// Error(input) with the line, and Error(usage) when `times` is missing for KITTI lines or given
+/// for others.
 Trajectory read_trajectory(const std::filesystem::path& file,
-                           const std::filesystem::path& times = {});
+                           const std::filesystem::path& times = {},
+                           QuaternionOrder order = QuaternionOrder::xyzw);
 
 /// Reads times in seconds, one a line, as nanoseconds; comments as there.
 std::vector<std::int64_t> read_times(const std::filesystem::path& file);

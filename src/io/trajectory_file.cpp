@@ -59,11 +59,13 @@ std::int64_t time_of(std::string_view word) {
   return *time;
 }
 
-TimedPose tum_pose(const Words& words) {
+TimedPose tum_pose(const Words& words, QuaternionOrder order) {
   std::array<double, kTum> n{};
   for (std::size_t i = 1; i < kTum; ++i) n[i] = number_of(words.words[i]);
   return {.stamp = time_of(words.words[0]),
-          .pose = make_pose({n[1], n[2], n[3]}, Eigen::Quaterniond(n[7], n[4], n[5], n[6]))};
+          .pose = make_pose({n[1], n[2], n[3]}, order == QuaternionOrder::xyzw
+                                                    ? Eigen::Quaterniond(n[7], n[4], n[5], n[6])
+                                                    : Eigen::Quaterniond(n[4], n[5], n[6], n[7]))};
 }
 
 TimedPose kitti_pose(const Words& words) {
@@ -99,7 +101,7 @@ struct PoseLines {
   std::size_t form = 0;  // numbers a line; 0 without lines
 };
 
-PoseLines read_pose_lines(const std::filesystem::path& file) {
+PoseLines read_pose_lines(const std::filesystem::path& file, QuaternionOrder order) {
   PoseLines lines;
   for_each_line(file, [&](const Words& words) {
     if (words.count != kTum && words.count != kKitti) {
@@ -114,7 +116,7 @@ PoseLines read_pose_lines(const std::filesystem::path& file) {
                                                 "the lines before",
                                                 words.count, lines.form));
     }
-    lines.poses.push_back(words.count == kTum ? tum_pose(words) : kitti_pose(words));
+    lines.poses.push_back(words.count == kTum ? tum_pose(words, order) : kitti_pose(words));
   });
   return lines;
 }
@@ -145,9 +147,10 @@ std::vector<std::int64_t> read_times(const std::filesystem::path& file) {
   return times;
 }
 
-Trajectory read_trajectory(const std::filesystem::path& file, const std::filesystem::path& times) {
+Trajectory read_trajectory(const std::filesystem::path& file, const std::filesystem::path& times,
+                           QuaternionOrder order) {
   return with_memory_for(file, [&] {
-    PoseLines lines = read_pose_lines(file);
+    PoseLines lines = read_pose_lines(file, order);
     if (lines.form == 0) {
       throw Error(ErrorKind::input,
                   fmt::format("{} holds no pose: at least one is needed", file.string()));

@@ -89,6 +89,34 @@ TEST_F(Scans, OtherColumnsAndDirectionsWithoutReturn) {
   EXPECT_EQ(rmap(build("scans", {})).exit_code, 1);
 }
 
+TEST_F(Scans, AMapOfNothingIsNotWritten) {
+  write("a.xyz", "nan 0 0\n");
+  write("m.rmap", "the map before");
+  const Outcome nothing = rmap(build("a.xyz", {"--end-points"}));
+  EXPECT_EQ(nothing.exit_code, 1);
+  EXPECT_THAT(nothing.err, HasSubstr("none of the 1 point of 1 scan has an effect"));
+  EXPECT_EQ(bytes("m.rmap"), "the map before");
+}
+
+TEST_F(Scans, ConversionKeepsTheInputAndTheKindOfTheOutput) {
+  simulate_room("room");
+  rmap_done(build("room", {}));
+  const std::string before = bytes("m.rmap");
+  const Outcome same = rmap({"convert", "m.rmap", "./m.rmap", "--prune", "0.9"});
+  EXPECT_EQ(same.exit_code, 1);
+  EXPECT_THAT(same.err, HasSubstr("both input and output"));
+  EXPECT_EQ(bytes("m.rmap"), before);
+  const Outcome map = rmap({"convert", "room", "room.rmap"});
+  EXPECT_EQ(map.exit_code, 1);
+  EXPECT_THAT(map.err, HasSubstr("`rmap build` makes maps of scans"));
+  // Scans of any form become a folder.
+  write("a.xyz", "1005648349.5 2 3\n");
+  EXPECT_THAT(rmap_done({"convert", "a.xyz", "a.pcd"}).out, HasSubstr("--offset"));
+  EXPECT_THAT(rmap_done({"convert", "a.xyz", "b.pcd", "--offset", "1005648349,0,0"}).out,
+              Not(HasSubstr("--offset")));
+  EXPECT_THAT(rmap_done({"info", "a.xyz"}).out, HasSubstr("in steps of"));
+}
+
 TEST_F(Scans, BagsSayWhatToTypeNext) {
   TestBag bag;
   for (int i = 0; i < 3; ++i) {

@@ -84,6 +84,10 @@ TEST(FolderPoses, follow_kittis_layout) {
   std::filesystem::create_directories(folder / "poses");
   write_text(folder / "poses/07.txt", "1 0 0 5 0 1 0 0 0 0 1 0\n1 0 0 6 0 1 0 0 0 0 1 0\n");
   EXPECT_EQ(xs_of_poses(sequence, {}), (std::vector<double>{5, 6}));
+  EXPECT_NE(open_scans(sequence)->notes().remarks.at(0).find("taken as those of the lidar"),
+            std::string::npos);
+  write_text(sequence / "calib.txt", "P0: 1 0 0 0 0 1 0 0 0 0 1 0\n");
+  EXPECT_THROW(open_scans(sequence), Error);
   // Half a turn and a step from the lidar to the camera.
   write_text(sequence / "calib.txt",
              "P0: 1 0 0 0 0 1 0 0 0 0 1 0\nTr: -1 0 0 0.25 0 -1 0 0 0 0 1 0\n");

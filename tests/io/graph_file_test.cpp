@@ -52,7 +52,7 @@ TEST(GraphFile, notices_every_cut) {
   const std::string file = folder / "a.graph";
   const std::string whole = graph();
   std::size_t cuts = 0;
-  for (std::size_t size = 0; size + 4 < whole.size(); ++size, ++cuts) {
+  for (std::size_t size = 0; size < whole.size(); ++size, ++cuts) {
     write_text(file, whole.substr(0, size));
     EXPECT_THROW(
         {
@@ -63,7 +63,16 @@ TEST(GraphFile, notices_every_cut) {
         Error)
         << size;
   }
-  EXPECT_EQ(cuts, whole.size() - 4);
+  EXPECT_EQ(cuts, whole.size());
+  for (const std::string more : {"x", "\1\1\1\1"}) {
+    write_text(file, whole + more);
+    const auto source = open_scans(file);
+    Scan scan;
+    ASSERT_TRUE(source->next(scan));
+    ASSERT_TRUE(source->next(scan));
+    EXPECT_THROW(source->next(scan), Error);
+    EXPECT_FALSE(source->next(scan));
+  }
 }
 
 TEST(GraphFile, believes_no_number) {

@@ -30,6 +30,9 @@ TEST(TextPoints, takes_separators_headers_and_comments_as_they_come) {
       "time x name y z\n1 1 a 2 3\n2 -4.5 b 0 1e-3\n",
       "2\n1 2 3\n-4.5 0 1e-3\n",
       "\xEF\xBB\xBFx y z\n1 2 3\n-4.5 0 1e-3\n",
+      "# z x y\n# more\n3 1 2\n1e-3 -4.5 0\n",
+      "//Z,X,Y\n3,1,2\n1e-3,-4.5,0\n",
+      "# z x y i\n1 2 3\n-4.5 0 1e-3\n",
       "x,y,z\n1,2,3,\n-4.5,0,1e-3,\n",
       "x;y;z;empty\n1;2;3;\n-4.5;0;1e-3;\n"};
   std::size_t cases = 0;

@@ -101,5 +101,16 @@ TEST(TrajectoryFile, refuses_what_it_cannot_be) {
   expect("0 1 2 x 0 0 0 1\n", ", line 1: \"x\" is no number, which a pose is made of");
 }
 
+TEST(Trajectory, knows_the_order_of_quaternions_by_the_argument) {
+  const test::TemporaryFolder folder;
+  test::write_text(folder / "t.txt", "1 0 0 0 0 0 0 1\n");
+  const auto turned = [&](QuaternionOrder order) {
+    const Pose pose = read_trajectory(folder / "t.txt", {}, order).poses().at(0).pose;
+    return rotated(pose, {1, 0, 0});
+  };
+  EXPECT_EQ(turned(QuaternionOrder::xyzw), Vector3d(1, 0, 0));
+  EXPECT_EQ(turned(QuaternionOrder::wxyz), Vector3d(-1, 0, 0));
+}
+
 }  // namespace
 }  // namespace rmap

@@ -43,6 +43,13 @@ std::vector<std::filesystem::path> files_of(const std::filesystem::path& path) {
 
 }  // namespace
 
+void check_topic_count(const std::filesystem::path& file, std::size_t topics) {
+  constexpr std::size_t kMostTopics = 4096;
+  if (topics < kMostTopics) return;
+  throw Error(ErrorKind::limit, fmt::format("{} has more than {} topics, which are allowed",
+                                            file.string(), kMostTopics));
+}
+
 std::unique_ptr<BagStorage> open_bag_storage(const std::filesystem::path& path) {
   InputFile file(path);
   const std::vector<std::byte> head = file.head(kSqliteMagic.size());

@@ -111,7 +111,7 @@ BagPoses::BagPoses(const Bag& bag, const BagSurvey& survey, const SurveyedTopic&
     : chains_(clouds.frames.size()) {
   const Request request{bag, survey, clouds, options};
   if (!options.trajectory.empty()) {
-    trajectory_ = read_trajectory(options.trajectory, options.times);
+    trajectory_ = read_trajectory(options.trajectory, options.times, options.quaternion);
     words_ = "file " + options.trajectory.string();
     return;
   }
@@ -133,7 +133,11 @@ BagPoses::BagPoses(const Bag& bag, const BagSurvey& survey, const SurveyedTopic&
     use_topic(request, *topics.front());
     return;
   }
-  const std::string frame = clouds.frames.empty() ? std::string() : clouds.frames.front();
+  if (clouds.frames.empty()) {
+    throw problem(bag, fmt::format("none of the {} clouds of {} can be read{}",
+                                   clouds.clouds.size(), clouds.topic.name, cut_note(bag)));
+  }
+  const std::string& frame = clouds.frames.front();
   throw problem(
       bag,
       topics.empty()
@@ -172,8 +176,15 @@ bool BagPoses::try_transforms(const Request& request) {
     }
     moves = moves || FrameChain(survey.frames, map_frame, frame).moves();
   }
-  // With a frame that was asked for, what does not fit is an error of its own.
   if (wanted.empty() && (!moves || !connected)) return false;
+  // With a frame that was asked for, what does not fit is an error of its own.
+  if (connected && !moves) {
+    throw problem(request.bag,
+                  fmt::format("no transform between the frame {} of the map (--map-frame) and the "
+                              "clouds of {} moves: it is on the robot itself; they hang in {}",
+                              in_quotes(wanted), request.clouds.topic.name,
+                              in_quotes(survey.frames.root_of(frames.front()))));
+  }
   use_transforms(request, map_frame);
   return true;
 }
@@ -210,7 +221,8 @@ void BagPoses::use_topic(const Request& request, const SurveyedTopic& topic) {
       throw problem(request.bag,
                     fmt::format("the poses of {} are of the frame {}, and no transforms lead from "
                                 "it to the frame {} of the clouds of {}: a bag with /tf_static, or "
-                                "poses of the sensor in a file (--trajectory), are needed",
+                                "poses of the sensor in a file (--trajectory), are needed; clouds "
+                                "that are in the map already can be taken so (--frame world)",
                                 topic.topic.name, in_quotes(child), in_quotes(cloud),
                                 request.clouds.topic.name));
     }

@@ -63,6 +63,10 @@ class BagStorage {
   virtual std::vector<std::string> warnings() const { return {}; }
 };
 
+/// Throws Error(limit) when a file has more topics than any recording, which cost more than their
+/// bytes.
+void check_topic_count(const std::filesystem::path& file, std::size_t topics);
+
 /// Opens a file by its content. Throws Error(input) when it is neither MCAP nor SQLite.
 std::unique_ptr<BagStorage> open_bag_storage(const std::filesystem::path& file);
 

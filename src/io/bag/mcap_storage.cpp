@@ -285,6 +285,7 @@ void McapStorage::learn(const McapChannel& channel, std::uint64_t offset) {
     }
     topic.type = schema->second;
   }
+  check_topic_count(file_.path(), channels_.size());
   const auto [known, is_new] = channels_.try_emplace(channel.id, topic);
   if (!is_new && known->second != topic) {
     throw damaged(offset,

@@ -3,6 +3,7 @@
 #include "io/bag/unpack.hpp"
 #include "io/text.hpp"
 
+#include <algorithm>
 #include <limits>
 #include <new>
 #include <optional>
@@ -117,7 +118,11 @@ void SqliteStorage::harden() {
   sqlite3_db_config(database, SQLITE_DBCONFIG_TRUSTED_SCHEMA, 0, nullptr);
   sqlite3_db_config(database, SQLITE_DBCONFIG_ENABLE_VIEW, 0, nullptr);
   sqlite3_db_config(database, SQLITE_DBCONFIG_ENABLE_TRIGGER, 0, nullptr);
-  sqlite3_limit(database, SQLITE_LIMIT_LENGTH, static_cast<int>(kMostUnpacked));
+  // Nothing stored is longer than the file; what is made up by a generated column could be.
+  constexpr std::uint64_t kLeastLength = 1000;
+  sqlite3_limit(
+      database, SQLITE_LIMIT_LENGTH,
+      static_cast<int>(std::clamp<std::uint64_t>(file_size_, kLeastLength, kMostUnpacked)));
   sqlite3_limit(database, SQLITE_LIMIT_SQL_LENGTH, 1'000'000);
   sqlite3_limit(database, SQLITE_LIMIT_COLUMN, 100);
   sqlite3_limit(database, SQLITE_LIMIT_EXPR_DEPTH, 20);
@@ -191,6 +196,7 @@ void SqliteStorage::read_topics() {
   while (step(rows.get())) {
     const std::int64_t id = sqlite3_column_int64(rows.get(), 0);
     if (!ids.accept(id)) throw damaged(fmt::format("topic {} comes twice or out of order", id));
+    check_topic_count(file_, topics_.size());
     topics_.emplace(id, BagTopic{.name = text_at(rows.get(), 1),
                                  .type = text_at(rows.get(), 2),
                                  .encoding = text_at(rows.get(), 3)});
