@@ -47,6 +47,7 @@ void add_verbs(CLI::App& app) {
   add_convert(app);
   add_approximate(app);
   add_evaluate_cuboids(app);
+  add_evaluate(app);
 }
 
 int complain(int exit_code, const char* sentence) {

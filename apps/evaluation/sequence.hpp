@@ -1,0 +1,38 @@
+#pragma once
+
+#include "evaluation/json.hpp"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include <rmap/scan_source.hpp>
+
+namespace rmap::evaluation {
+
+/// Scans that the experiments run on, in memory: in the map's frame, with float32 points and
+/// origins, so that every map gets the same numbers.
+struct Sequence {
+  std::string name;
+  std::string source;  ///< where it came from, for people
+  std::vector<Scan> scans = {};
+  /// Directions without return are left out: the paper's data has none, OctoMap no place for them.
+  std::uint64_t left_out_no_returns = 0;
+  std::uint64_t left_out_not_finite = 0;
+
+  std::size_t beams() const;
+};
+
+Json to_json(const Sequence& sequence);
+
+/// The first `most` scans of a source, all when 0. Throws Error(input) for a scan whose points have
+/// an origin each, which OctoMap cannot be given, and where there is no scan; Error as the source.
+Sequence read_sequence(const std::string& name, ScanSource& source, std::size_t most = 0);
+
+/// The first `most` scans of a simulated scene, all when 0; `seed` is that of its chance.
+Sequence simulated_sequence(const std::string& scene, std::size_t most = 0, std::uint64_t seed = 0);
+
+/// All points of a sequence, map's frame.
+std::vector<Vector3f> all_points(const Sequence& sequence);
+
+}  // namespace rmap::evaluation
