@@ -123,8 +123,8 @@ void cuboid_experiment(const CloudScene& scene, int repetitions, CuboidFindings&
 }
 
 std::vector<CloudScene> simulated_clouds(std::uint64_t seed) {
-  const Sequence room = simulated_sequence("noisy_room", 0, seed);
-  const Sequence sphere = simulated_sequence("sphere", 0, seed);
+  const Sequence room = simulated_sequence("noisy_room", seed);
+  const Sequence sphere = simulated_sequence("sphere", seed);
   return {{"noisy room", room.source, 0.05, all_points(room)},
           {"sphere", sphere.source, 0.02, all_points(sphere)}};
 }

@@ -7,7 +7,7 @@ namespace rmap::evaluation {
 
 namespace {
 
-constexpr double kDistanceByEdge = 80;
+constexpr double kDistanceByEdge = 40;
 
 }  // namespace
 

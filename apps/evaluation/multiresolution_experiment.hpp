@@ -41,7 +41,7 @@ struct MultiresolutionFindings {
 Json to_json(const MultiresolutionFindings& findings);
 std::vector<Json> to_rows(const MultiresolutionFindings& findings);
 
-/// Of the first scan. The edge that is wanted is the distance by 80: twice the size at twice the
+/// Of the first scan. The edge that is wanted is the distance by 40: twice the size at twice the
 /// distance, as the spacing of a lidar's points.
 MultiresolutionFindings multiresolution_experiment(const Sequence& sequence, double resolution);
 

@@ -1,5 +1,7 @@
 #include "evaluation/sequence.hpp"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 
 #include <rmap/error.hpp>
@@ -8,6 +10,9 @@
 namespace rmap::evaluation {
 
 namespace {
+
+// Height of the level ground in the library's scenes, metres.
+constexpr double kGround = 0.0033;
 
 void add(Sequence& sequence, const Scan& scan) {
   if (!scan.origins.empty()) {
@@ -60,13 +65,38 @@ Sequence read_sequence(const std::string& name, ScanSource& source, std::size_t 
   return sequence;
 }
 
-Sequence simulated_sequence(const std::string& scene, std::size_t most, std::uint64_t seed) {
+Sequence simulated_sequence(const std::string& scene, std::uint64_t seed) {
   const Simulation simulation = make_simulation(scene, {.no_returns = false, .seed = seed});
   Sequence sequence{.name = scene,
                     .source = fmt::format("simulated: {}", simulation.description())};
-  const std::size_t count =
-      most == 0 ? simulation.size() : std::min<std::size_t>(most, simulation.size());
-  for (std::size_t i = 0; i < count; ++i) add(sequence, simulation.scan(i));
+  for (const Scan& scan : simulation) add(sequence, scan);
+  return sequence;
+}
+
+Sequence campus_sequence(std::size_t most, double lift, std::uint64_t seed) {
+  constexpr int kScansOfLoop = 420;
+  constexpr std::size_t kScans = 70;
+  const Simulation simulation =
+      make_simulation("campus", {.scans = kScansOfLoop,
+                                 .sensor = SpinningLidar{.channels = 64,
+                                                         .min_elevation = -25,
+                                                         .max_elevation = 15,
+                                                         .azimuth_steps = 1024,
+                                                         .min_range = 0.5,
+                                                         .max_range = 50},
+                                 .no_returns = false,
+                                 .seed = seed});
+  Sequence sequence{
+      .name = "campus",
+      .source = fmt::format("simulated: the first sixth of {}, 64 x 1024 beams of up to 50 m a "
+                            "scan, the ground at {:.4f} m",
+                            simulation.description(), kGround + lift)};
+  const std::size_t count = most == 0 ? kScans : std::min(most, kScans);
+  for (std::size_t i = 0; i < count; ++i) {
+    Scan scan = simulation.scan(i);
+    scan.map_from_sensor.translation().z() += lift;
+    add(sequence, scan);
+  }
   return sequence;
 }
 

@@ -28,10 +28,9 @@ namespace rmap::command {
 
 namespace {
 
-constexpr char kScene[] = "campus";
 constexpr char kResultsFile[] = "results.json";
 // What --quick takes of the simulated sequence: a stretch of it, not a thinner one.
-constexpr int kQuickScans = 12;
+constexpr int kQuickScans = 40;
 constexpr double kQuickResolution = 0.2;
 
 struct EvaluateArguments {
@@ -43,6 +42,7 @@ struct EvaluateArguments {
   ScanOptions reading;
   int most_scans = 0;
   int repetitions = 3;
+  double lift = evaluation::kLift;
   std::uint64_t seed = 0;
   bool quick = false;
   bool json = false;
@@ -97,8 +97,8 @@ std::vector<evaluation::Sequence> sequences_of(const EvaluateArguments& argument
   std::vector<evaluation::Sequence> sequences;
   const auto most = static_cast<std::size_t>(arguments.most_scans);
   if (arguments.scans.empty()) {
-    sequences.push_back(evaluation::simulated_sequence(
-        kScene, most == 0 && arguments.quick ? kQuickScans : most, arguments.seed));
+    sequences.push_back(evaluation::campus_sequence(
+        most == 0 && arguments.quick ? kQuickScans : most, arguments.lift, arguments.seed));
   }
   for (const std::filesystem::path& path : arguments.scans) {
     const auto source = open_scans(path, arguments.reading.options());
@@ -152,6 +152,7 @@ std::string command_line(const EvaluateArguments& arguments,
   if (!arguments.experiments.empty()) line += " --experiments " + arguments.experiments;
   line += fmt::format(" --resolution {}", fmt::join(options.resolutions, ","));
   if (arguments.most_scans > 0) line += fmt::format(" --scans {}", arguments.most_scans);
+  if (arguments.scans.empty()) line += fmt::format(" --lift {}", arguments.lift);
   line += fmt::format(" --repetitions {} --seed {}", options.repetitions, arguments.seed);
   return line;
 }
@@ -263,11 +264,14 @@ void add_evaluate(CLI::App& app) {
            "Edges of cells, metres, separated by commas (default 0.1,0.2; --quick 0.2). Accuracy "
            "is taken at the coarsest, R-trees and cuboids at the finest.");
   add_integer(verb, "--scans", arguments->most_scans,
-              "Take the first so many scans of each sequence (default all; --quick 12 of the "
+              "Take the first so many scans of each sequence (default all; --quick 40 of the "
               "simulated one).",
               1);
   add_integer(verb, "--repetitions", arguments->repetitions,
               "Of what is short enough to be repeated (default 3; --quick 1).", 1);
+  add_number(verb, "--lift", arguments->lift,
+             "Metres that the simulated campus is lifted by: where its ground, at 0.0033, lies in "
+             "its layer of cells (default -0.0133, just under a border).");
   add_seed(verb, "--seed", arguments->seed, "Seed of the simulation (default 0).");
   verb.add_flag("--quick", arguments->quick,
                 "Little of everything, within two minutes: the shape of the findings.");
