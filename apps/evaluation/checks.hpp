@@ -24,7 +24,8 @@ struct Check {
 
 Json to_json(const Check& check);
 
-/// Larger M: fewer nodes and less memory; cells one by one: more overlap up to M = 32 [RMAP 3.1].
+/// Larger M: fewer nodes and less memory; cells one by one: more overlap within a node
+/// [RMAP 3.1].
 std::vector<Check> check_rtree(std::span<const RTreeRow> rows);
 /// Less memory than every form of OctoMap, less time to go over the occupied cells [RMAP 3.2].
 std::vector<Check> check_grid(const GridFindings& findings);

@@ -60,6 +60,7 @@ void describe(const RTreeStatistics& statistics, RTreeRow& row) {
     row.overlap += level.overlap_volume;
     row.dead_space += level.dead_space;
   }
+  row.overlap_of_node = row.overlap / static_cast<double>(statistics.nodes);
   row.overlap /= volume;
   row.dead_space /= volume;
   row.bytes = statistics.bytes_in_use;
@@ -100,6 +101,7 @@ Json to_json(const RTreeRow& row) {
           {"nodes", row.nodes},
           {"height", row.height},
           {"overlap", row.overlap},
+          {"overlap_cells_per_node", row.overlap_of_node},
           {"dead_space", row.dead_space}};
 }
 

@@ -26,7 +26,8 @@ struct RTreeRow {
   int height = 0;
   /// Volume that branches of one node share, of all pairs and levels, by the volume of the nodes.
   double overlap = 0;
-  double dead_space = 0;  ///< volume of nodes that no branch covers, by the same
+  double overlap_of_node = 0;  ///< the same volume, in cells, by the number of nodes
+  double dead_space = 0;       ///< volume of nodes that no branch covers, by the same
 };
 
 Json to_json(const RTreeRow& row);
