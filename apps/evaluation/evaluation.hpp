@@ -32,7 +32,7 @@ struct Evaluation {
 
 /// All experiments on some sequences, at least one, and clouds. R-tree, query cuboids and the
 /// cuboids of a sequence are those of the sequence with most beams. `step` is called with what is
-/// done next, and may throw to end it.
+/// done next.
 Evaluation evaluate(const std::vector<Sequence>& sequences, const std::vector<CloudScene>& clouds,
                     const EvaluationOptions& options,
                     const std::function<void(const std::string&)>& step);

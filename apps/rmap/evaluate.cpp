@@ -204,14 +204,12 @@ void run(const EvaluateArguments& arguments) {
                                               arguments.output.string(), kResultsFile));
   }
   const std::vector<evaluation::Sequence> sequences = sequences_of(arguments);
+  const std::vector<evaluation::CloudScene> clouds = clouds_of(arguments);
+  // A folder that cannot be written is refused here, not after the long work.
+  { const StagedFolder trial(arguments.output); }
+  const evaluation::Evaluation result = evaluation::evaluate(sequences, clouds, options, tell);
   const SignalHold hold;
   StagedFolder folder(arguments.output);
-  const evaluation::Evaluation result =
-      evaluation::evaluate(sequences, clouds_of(arguments), options, [&](const std::string& what) {
-        hold.check();
-        tell(what);
-      });
-  hold.check();
   Json document{{"command", command_line(arguments, options)},
                 {"seed", arguments.seed},
                 {"quick", arguments.quick},
@@ -223,6 +221,7 @@ void run(const EvaluateArguments& arguments) {
     }
     write_text(staging / kResultsFile, text_of(document));
   });
+  hold.check();
   folder.publish(kResultsFile);
   if (arguments.json) {
     print_json(document);
