@@ -173,6 +173,7 @@ GridFindings grid_experiment(const Sequence& sequence, const GridExperimentOptio
   findings.history = histories(all);
   findings.history.sequence = sequence.name;
   findings.history.resolution = options.resolution;
+  findings.history.scans = scans.size();
   return findings;
 }
 

@@ -27,6 +27,7 @@ double HistoryRow::false_percent() const {
 Json to_json(const HistoryRow& row) {
   Json json{{"sequence", row.sequence},
             {"resolution_m", row.resolution},
+            {"scans", row.scans},
             {"first_hit_occupied", row.first_hit_occupied},
             {"complete_occupied", row.complete_occupied},
             {"false_cells", row.false_cells},

@@ -16,6 +16,7 @@ namespace rmap::evaluation {
 struct HistoryRow {
   std::string sequence = {};
   double resolution = 0;
+  std::size_t scans = 0;
   std::uint64_t first_hit_occupied = 0;
   std::uint64_t complete_occupied = 0;
   std::uint64_t false_cells = 0;  ///< occupied with first-hit history, not with complete

@@ -94,8 +94,8 @@ TEST(Findings, MapsAreSmallerAndGoneOverFasterThanOctoMaps) {
   if (!has_octomap()) GTEST_SKIP() << "built without OctoMap";
   const GridFindings findings =
       grid_experiment(campus_sequence(kFewScans), {.resolution = kResolution, .repetitions = 3});
-  expect_shown(check_grid(findings), 10);
-  expect_refuted(check_grid(swapped(findings)), 10);
+  expect_shown(check_grid(findings), 15);
+  expect_refuted(check_grid(swapped(findings)), 15);
   expect_shown(check_history(findings.history), 2);
   expect_refuted(check_history(swapped(findings.history)), 2);
 
