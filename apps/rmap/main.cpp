@@ -49,6 +49,7 @@ void add_verbs(CLI::App& app) {
   add_evaluate_cuboids(app);
   add_validate(app);
   add_repair(app);
+  add_evaluate(app);
 }
 
 int complain(int exit_code, const char* sentence) {

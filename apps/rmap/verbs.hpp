@@ -16,6 +16,7 @@ void add_convert(CLI::App& app);
 void add_compare(CLI::App& app);
 void add_simulate(CLI::App& app);
 void add_approximate(CLI::App& app);
+void add_evaluate(CLI::App& app);
 void add_evaluate_cuboids(CLI::App& app);
 void add_validate(CLI::App& app);
 void add_repair(CLI::App& app);

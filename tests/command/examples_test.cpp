@@ -16,7 +16,7 @@ using testing::HasSubstr;
 const std::vector<std::vector<std::string>> kVerbs = {
     {"simulate"},     {"build"},         {"info"},           {"query"},   {"query", "point"},
     {"query", "box"}, {"query", "cast"}, {"query", "cells"}, {"compare"}, {"merge"},
-    {"convert"},      {"validate"},      {"repair"},
+    {"convert"},      {"validate"},      {"repair"},         {"evaluate"},
 };
 
 class Examples : public CommandTest {
