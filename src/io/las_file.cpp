@@ -22,7 +22,7 @@ constexpr std::string_view kMagic = "LASF";
 constexpr std::size_t kHeaderSize = 227;    // of versions up to 1.2
 constexpr std::size_t kHeaderSize14 = 375;  // with 64-bit numbers of points
 constexpr std::byte kPacked{0xC0};          // LAZ sets one of the two highest bits of the format
-constexpr std::size_t kPointsPerPiece = 16384;
+constexpr std::size_t kPieceSize = 262144;  // stays in the cache
 
 // Bytes that a point of formats 0 to 10 has at least.
 constexpr std::array<std::uint16_t, 11> kLeastSizes = {20, 28, 26, 34, 57, 63, 30, 36, 38, 59, 67};
@@ -119,10 +119,13 @@ void read_las(InputFile& file, const PointReadOptions& options, PointCloud& clou
   cloud.shifted = true;
   cloud.points.reserve(static_cast<std::size_t>(header.points));
   file.skip(header.first_point);
-  std::vector<std::byte> piece(kPointsPerPiece * header.point_size);
+  // A point has 65535 bytes at most, so that at least some fit.
+  const std::uint64_t points_per_piece = kPieceSize / header.point_size;
+  std::vector<std::byte> piece(
+      static_cast<std::size_t>(std::min(points_per_piece, header.points)) * header.point_size);
   while (cloud.points.size() < header.points) {
     const auto count = static_cast<std::size_t>(
-        std::min<std::uint64_t>(kPointsPerPiece, header.points - cloud.points.size()));
+        std::min<std::uint64_t>(points_per_piece, header.points - cloud.points.size()));
     file.read(std::span(piece).first(count * header.point_size));
     for (std::size_t i = 0; i < count; ++i) {
       Vector3f point;

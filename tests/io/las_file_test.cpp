@@ -86,6 +86,18 @@ TEST(LasFile, reads_more_points_than_fit_in_a_piece) {
   }
 }
 
+TEST(LasFile, takes_no_memory_on_the_word_of_a_file) {
+  const test::TemporaryFolder folder;
+  // Points of the largest size, of which there is none.
+  Las las{.point_size = 65535};
+  las.points.clear();
+  write_text(folder / "a.las", las.bytes());
+  EXPECT_TRUE(read_points(folder / "a.las").empty());
+  las.points.assign(9, {1, 2, 3});
+  write_text(folder / "a.las", las.bytes());
+  EXPECT_EQ(read_points(folder / "a.las").size(), 9u);
+}
+
 TEST(LasFile, says_how_to_unpack_what_is_packed) {
   const test::TemporaryFolder folder;
   for (const std::string ending : {".las", ".laz"}) {

@@ -136,6 +136,8 @@ void copy_points(const Layout& layout, std::span<const std::byte> data,
     loads[i] = layout.big_endian ? type.big : type.little;
   }
   points.resize(std::size_t{layout.width} * layout.height);
+  // Rows of nothing may be announced by the billion.
+  if (points.empty()) return;
   auto point = points.begin();
   for (std::uint32_t row = 0; row < layout.height; ++row) {
     const std::byte* bytes = data.data() + std::size_t{row} * layout.row_step;
