@@ -14,8 +14,8 @@ namespace {
 using testing::HasSubstr;
 
 const std::vector<std::vector<std::string>> kVerbs = {
-    {"simulate"},     {"build"},         {"info"},           {"query"},   {"query", "point"},
-    {"query", "box"}, {"query", "cast"}, {"query", "cells"}, {"compare"}, {"merge"},
+    {"simulate"},     {"build"},         {"info"},           {"query"},    {"query", "point"},
+    {"query", "box"}, {"query", "cast"}, {"query", "cells"}, {"compare"},  {"merge"},
     {"convert"},      {"validate"},      {"repair"},         {"evaluate"},
 };
 
