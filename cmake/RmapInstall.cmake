@@ -19,6 +19,7 @@ write_basic_package_version_file(${CMAKE_CURRENT_BINARY_DIR}/rmapConfigVersion.c
 install(FILES
   ${CMAKE_CURRENT_BINARY_DIR}/rmapConfig.cmake
   ${CMAKE_CURRENT_BINARY_DIR}/rmapConfigVersion.cmake
+  ${CMAKE_CURRENT_LIST_DIR}/Findlibyaml.cmake
   ${CMAKE_CURRENT_LIST_DIR}/Findlz4.cmake
   ${CMAKE_CURRENT_LIST_DIR}/Findzstd.cmake
   ${CMAKE_CURRENT_LIST_DIR}/FindxxHash.cmake

@@ -1,13 +1,15 @@
 #include "io/bag/metadata.hpp"
 
+#include "io/bag/yaml_reader.hpp"
 #include "io/input_file.hpp"
 #include "io/memory.hpp"
 #include "io/text.hpp"
 
+#include <optional>
 #include <string>
+#include <utility>
 
 #include <fmt/format.h>
-#include <yaml-cpp/yaml.h>
 
 #include <rmap/error.hpp>
 
@@ -33,26 +35,25 @@ std::string text_of(const std::filesystem::path& path) {
   return std::string(as_text(file.read_rest()));
 }
 
-std::vector<std::string> listed_files(const std::filesystem::path& file, const std::string& text) {
-  const YAML::Node root = YAML::Load(text);
-  if (!root.IsMap() || !root[kRoot].IsMap() || !root[kRoot][kFiles].IsSequence()) {
-    throw problem(file, fmt::format("the files of the bag are missing: there must be a list {} in "
-                                    "{}",
+std::vector<std::string> listed_files(const std::filesystem::path& file) {
+  const std::string text = text_of(file);
+  YamlReader yaml(file, text);
+  std::optional<std::vector<std::string>> files;
+  if (yaml.enter_value(kRoot) && yaml.enter_value(kFiles)) files = yaml.read_texts();
+  yaml.finish();
+  if (!files) {
+    throw problem(file, fmt::format("the files of the bag are missing: there must be a list {} of "
+                                    "their names in {}",
                                     kFiles, kRoot));
   }
-  return root[kRoot][kFiles].as<std::vector<std::string>>();
+  return *std::move(files);
 }
 
 }  // namespace
 
 std::vector<std::filesystem::path> read_bag_files(const std::filesystem::path& folder) {
   const std::filesystem::path file = folder / kMetadataName;
-  std::vector<std::string> listed;
-  try {
-    listed = with_memory_for(file, [&] { return listed_files(file, text_of(file)); });
-  } catch (const YAML::Exception& error) {
-    throw problem(file, error.what());
-  }
+  const auto listed = with_memory_for(file, [&] { return listed_files(file); });
   if (listed.empty()) throw problem(file, "the bag has no files: one at least is needed");
   std::vector<std::filesystem::path> files;
   for (const std::string& path : listed) {
