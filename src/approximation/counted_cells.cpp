@@ -1,7 +1,8 @@
-#include "grid/cell_places.hpp"
+#include "approximation/cell_keys.hpp"
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -33,27 +34,63 @@ std::uint32_t added(std::uint32_t a, std::uint32_t b) {
              : a + b;
 }
 
-/// Adds up the points of cells as they come.
+// Points whose cells are sorted at a time: what they take stays in the nearer memory.
+constexpr std::size_t kPiece = std::size_t{1} << 20;
+
+/// Counts the points of cells, piece by piece.
 class CellCounter {
  public:
-  void add(const Cell& cell, std::uint32_t points) {
-    const std::uint32_t place =
-        places_.add(cell, CellPlaces::hash_of(cell),
-                    [&](std::uint32_t i) -> const Cell& { return cells_[i].cell; });
-    if (place == cells_.size()) {
-      cells_.push_back({cell, points});
-    } else {
-      cells_[place].points = added(cells_[place].points, points);
-    }
+  explicit CellCounter(std::size_t points) { cells_.reserve(std::min(points, kPiece)); }
+
+  void add(const Cell& cell) {
+    cells_.push_back(cell);
+    if (cells_.size() == kPiece) count_piece();
   }
-  std::vector<CountedCell> sorted() && {
-    sort_by_scan(cells_);
-    return std::move(cells_);
+  std::vector<CountedCell> counted() && {
+    count_piece();
+    return pieces_ > 1 ? sorted_cells(std::move(counted_)) : std::move(counted_);
   }
 
  private:
-  CellPlaces places_;
-  std::vector<CountedCell> cells_;
+  void count_piece() {
+    if (cells_.empty()) return;
+    CellBox box = box_of(cells_.front());
+    for (const Cell& cell : cells_) {
+      box.min = box.min.cwiseMin(cell);
+      box.max = box.max.cwiseMax(cell);
+    }
+    box.max += Cell::Ones();
+    if (const auto keys = CellKeys::of(box)) {
+      count_keys(*keys);
+    } else {
+      std::sort(cells_.begin(), cells_.end(), scan_less);
+      count_runs(cells_, [](const Cell& cell) -> const Cell& { return cell; });
+    }
+    cells_.clear();
+    ++pieces_;
+  }
+
+  void count_keys(const CellKeys& keys) {
+    keys_.clear();
+    for (const Cell& cell : cells_) keys_.push_back(keys.key(cell));
+    sort_keys(keys_, keys.bits(), spare_);
+    count_runs(keys_, [&](std::uint64_t key) { return keys.cell(key); });
+  }
+
+  // Equal ones follow one another.
+  template <class Item, class CellOf>
+  void count_runs(const std::vector<Item>& items, CellOf&& cell_of) {
+    for (std::size_t begin = 0, end = 0; begin < items.size(); begin = end) {
+      while (end < items.size() && items[end] == items[begin]) ++end;
+      counted_.push_back({cell_of(items[begin]), static_cast<std::uint32_t>(end - begin)});
+    }
+  }
+
+  std::vector<Cell> cells_;
+  std::vector<std::uint64_t> keys_;
+  std::vector<std::uint64_t> spare_;
+  std::vector<CountedCell> counted_;
+  std::size_t pieces_ = 0;
 };
 
 }  // namespace
@@ -61,17 +98,17 @@ class CellCounter {
 QuantizedPoints quantize(std::span<const Vector3f> points, const Lattice& lattice,
                          const Pose& frame) {
   QuantizedPoints result;
-  CellCounter counter;
+  CellCounter counter(points.size());
   for (const Vector3f& point : points) {
     if (!point.allFinite()) {
       ++result.not_finite;
     } else if (const auto cell = lattice.find_cell(transformed(frame, point))) {
-      counter.add(*cell, 1);
+      counter.add(*cell);
     } else {
       ++result.beyond_limits;
     }
   }
-  result.cells = std::move(counter).sorted();
+  result.cells = std::move(counter).counted();
   return result;
 }
 

@@ -61,6 +61,44 @@ TEST(CountedCells, PointsAreCountedByCell) {
   EXPECT_EQ(compared, 30);
 }
 
+TEST(CountedCells, OfMorePointsThanAreSortedAtATime) {
+  Random random(7);
+  SCOPED_TRACE(random.trace());
+  constexpr int kPoints = 2'300'000;
+  const Lattice lattice(1);
+  std::vector<Vector3f> points;
+  std::vector<std::uint32_t> plain(20 * 20 * 20);
+  for (int i = 0; i < kPoints; ++i) {
+    const Cell cell = random.cell(0, 19);
+    ++plain[static_cast<std::size_t>((cell.z() * 20 + cell.y()) * 20 + cell.x())];
+    points.emplace_back(cell.cast<float>().array() + 0.5F);
+  }
+  const auto cells = quantize(points, lattice).cells;
+  ASSERT_EQ(cells.size(), plain.size());
+  for (std::size_t i = 0; i < plain.size(); ++i) {
+    const auto index = static_cast<int>(i);
+    ASSERT_EQ(cells[i].cell, Cell(index % 20, index / 20 % 20, index / 400));
+    ASSERT_EQ(cells[i].points, plain[i]);
+  }
+}
+
+TEST(CountedCells, AcrossAllLimits) {
+  Random random(8);
+  SCOPED_TRACE(random.trace());
+  const Lattice lattice(1);
+  std::vector<Vector3f> points;
+  ByScan plain;
+  for (int i = 0; i < 3000; ++i) {
+    const Vector3f point = random.point(-1e9, 1e9).cast<float>().array().floor();
+    for (int copy = i % 3; copy >= 0; --copy) {
+      points.push_back(point);
+      ++plain[{static_cast<int>(point.z()), static_cast<int>(point.y()),
+               static_cast<int>(point.x())}];
+    }
+  }
+  EXPECT_EQ(quantize(points, lattice).cells, listed(plain));
+}
+
 TEST(CountedCells, SortedOnesAreAddedUp) {
   int compared = 0;
   for (std::uint64_t seed = 0; seed < 50; ++seed, ++compared) {
