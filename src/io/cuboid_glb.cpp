@@ -38,8 +38,8 @@ std::array<unsigned, 4> corners_of_side(std::size_t side) {
   return {first[0], first[1], first[2], kBoxTriangles[2 * side + 1][2]};
 }
 
-Vector3d outward(std::size_t side) {
-  return Vector3d::Unit(static_cast<int>(side / 2)) * (side % 2 == 0 ? -1.0 : 1.0);
+Vector3f outward(std::size_t side) {
+  return Vector3f::Unit(static_cast<int>(side / 2)) * (side % 2 == 0 ? -1.0F : 1.0F);
 }
 
 template <class T, std::size_t kCount>
@@ -92,29 +92,30 @@ class GlbWriter {
  private:
   // The range of heights, the origin of the positions, and their range as the floats they become.
   void measure() {
-    const double infinity = std::numeric_limits<double>::infinity();
-    Vector3d low = Vector3d::Constant(infinity);
-    Vector3d high = -low;
-    for (const Cuboid& cuboid : list_.cuboids) {
-      for (unsigned i = 0; i < 8; ++i) {
-        const Vector3d corner = boxes_.corner(cuboid.cells, i);
-        low = low.cwiseMin(corner);
-        high = high.cwiseMax(corner);
-        scale_.add(corner.z());
-      }
-    }
     if (list_.cuboids.empty()) return;
-    origin_ = ((low + high) / 2).array().round();
-    low_ = (low - origin_).cast<float>();
-    high_ = (high - origin_).cast<float>();
+    CellBox bounds = list_.cuboids.front().cells;
+    for (const Cuboid& cuboid : list_.cuboids) {
+      bounds = united(bounds, cuboid.cells);
+      for (unsigned i = 0; i < 8; ++i) scale_.add(boxes_.corner(cuboid.cells, i).z());
+    }
+    origin_ = bounds.min + bounds.extent().cast<std::int32_t>() / 2;
+    low_ = position(bounds.min);
+    high_ = position(bounds.max);
   }
 
-  // glTF has y up: a quarter turn about x brings z there. The positions' origin goes with it.
+  // From positions, which are cells beside the origin, to metres in the input's frame with y up as
+  // glTF has it: a matrix, column by column.
   std::string root_json() const {
-    return fmt::format(
-        R"("nodes":[{{"name":"z up","rotation":[-0.7071067811865476,0,0,0.7071067811865476],)"
-        R"("translation":[{}])",
-        joined(Vector3d(origin_.x(), origin_.z(), -origin_.y()), ","));
+    Eigen::Matrix3d y_up;
+    y_up << 1, 0, 0, 0, 0, 1, 0, -1, 0;
+    Eigen::Matrix4d matrix = Eigen::Matrix4d::Identity();
+    for (int axis = 0; axis < 3; ++axis) {
+      matrix.block<3, 1>(0, axis) =
+          y_up * boxes_.direction(Vector3d::Unit(axis)) * list_.resolution;
+    }
+    matrix.block<3, 1>(0, 3) = y_up * boxes_.corner({.min = origin_, .max = origin_}, 0);
+    return fmt::format(R"("nodes":[{{"name":"cells","matrix":[{}])",
+                       joined(matrix.reshaped(), ","));
   }
 
   static std::string start_json() {
@@ -152,28 +153,34 @@ class GlbWriter {
     return json;
   }
 
-  // The bytes of each corner, which it has on all of its three sides.
+  // The bytes of each corner of a box, which it has on all of its three sides.
   template <class BytesOf>
   void write_corners(BytesOf&& bytes_at) {
     for (const Cuboid& cuboid : list_.cuboids) {
-      std::array<std::invoke_result_t<BytesOf, Vector3d>, 8> corners;
-      for (unsigned i = 0; i < 8; ++i) corners[i] = bytes_at(boxes_.corner(cuboid.cells, i));
+      std::array<std::invoke_result_t<BytesOf, CellBox, unsigned>, 8> corners;
+      for (unsigned i = 0; i < 8; ++i) corners[i] = bytes_at(cuboid.cells, i);
       for (std::size_t side = 0; side < 6; ++side) {
         for (const unsigned corner : corners_of_side(side)) file_.write(corners[corner]);
       }
     }
   }
 
+  Vector3f position(const Cell& corner) const {
+    return (corner.cast<std::int64_t>() - origin_.cast<std::int64_t>()).cast<float>();
+  }
+
   void write_positions() {
-    write_corners([&](const Vector3d& corner) {
-      const Vector3f at = (corner - origin_).cast<float>();
+    write_corners([&](const CellBox& cells, unsigned index) {
+      const Vector3f at = position({(index & 1U) != 0 ? cells.max.x() : cells.min.x(),
+                                    (index & 2U) != 0 ? cells.max.y() : cells.min.y(),
+                                    (index & 4U) != 0 ? cells.max.z() : cells.min.z()});
       return bytes_of<float, 3>({at.x(), at.y(), at.z()});
     });
   }
 
   void write_colors() {
-    write_corners([&](const Vector3d& corner) {
-      const Color color = viridis(scale_.share(corner.z()));
+    write_corners([&](const CellBox& cells, unsigned index) {
+      const Color color = viridis(scale_.share(boxes_.corner(cells, index).z()));
       return bytes_of<std::uint16_t, 4>(
           {linear(color[0]), linear(color[1]), linear(color[2]), 65535});
     });
@@ -182,7 +189,7 @@ class GlbWriter {
   void write_normals() {
     std::vector<std::byte> normals;
     for (std::size_t side = 0; side < 6; ++side) {
-      const Vector3f normal = boxes_.direction(outward(side)).cast<float>();
+      const Vector3f normal = outward(side);
       const auto bytes = bytes_of<float, 3>({normal.x(), normal.y(), normal.z()});
       for (int corner = 0; corner < 4; ++corner) {
         normals.insert(normals.end(), bytes.begin(), bytes.end());
@@ -209,8 +216,9 @@ class GlbWriter {
   const CuboidList& list_;
   InputBoxes boxes_;
   HeightScale scale_;
-  // Positions are floats: relative to a place in their middle they are exact enough anywhere.
-  Vector3d origin_ = Vector3d::Zero();
+  // Positions are floats, and cells are whole numbers: beside a corner of cells in their middle
+  // they are exact within 16 million cells of it.
+  Cell origin_ = Cell::Zero();
   Vector3f low_ = Vector3f::Zero();
   Vector3f high_ = Vector3f::Zero();
 };

@@ -124,11 +124,13 @@ Mesh mesh_of(const Glb& glb) {
   const auto& nodes = glb.json["nodes"];
   EXPECT_EQ(glb.json["scenes"][0]["nodes"], nlohmann::json({0}));
   EXPECT_EQ(nodes.size(), 1U);
-  const auto& turn = nodes[0]["rotation"];
-  const Eigen::Quaterniond y_up(turn[3], turn[0], turn[1], turn[2]);
-  EXPECT_LT((y_up * Vector3d::UnitZ() - Vector3d::UnitY()).norm(), 1e-12);
-  EXPECT_LT((y_up * Vector3d::UnitX() - Vector3d::UnitX()).norm(), 1e-12);
-  const Vector3d origin = y_up.conjugate() * vector_of(nodes[0]["translation"]);
+  // glTF has y up: x, z, -y of the input.
+  Eigen::Matrix3d z_up;
+  z_up << 1, 0, 0, 0, 0, -1, 0, 1, 0;
+  const auto numbers = nodes[0]["matrix"].get<std::vector<double>>();
+  EXPECT_EQ(numbers.size(), 16U);
+  const Eigen::Affine3d placed(z_up *
+                               Eigen::Map<const Eigen::Matrix4d>(numbers.data()).topRows<3>());
   const auto& primitive = glb.json["meshes"][nodes[0]["mesh"].get<std::size_t>()]["primitives"][0];
   EXPECT_FALSE(primitive.contains("mode"));
   const auto positions = accessor(glb, primitive["attributes"]["POSITION"]);
@@ -143,8 +145,9 @@ Mesh mesh_of(const Glb& glb) {
     const Vector3d position(positions[3 * i], positions[3 * i + 1], positions[3 * i + 2]);
     low = low.cwiseMin(position);
     high = high.cwiseMax(position);
-    mesh.vertices.push_back(position + origin);
-    mesh.normals.emplace_back(normals[3 * i], normals[3 * i + 1], normals[3 * i + 2]);
+    mesh.vertices.push_back(placed * position);
+    const Vector3d normal(normals[3 * i], normals[3 * i + 1], normals[3 * i + 2]);
+    mesh.normals.push_back((placed.linear() * normal).normalized());
     mesh.colors.emplace_back(srgb(colors[4 * i] / 65535), srgb(colors[4 * i + 1] / 65535),
                              srgb(colors[4 * i + 2] / 65535));
     EXPECT_EQ(colors[4 * i + 3], 65535);
@@ -229,11 +232,11 @@ TEST(CuboidMeshes, of_glb_are_the_boxes) {
   test::Random random(32);
   SCOPED_TRACE(random.trace());
   for (const int count : {1, 2, 300}) {
-    // Floats have six digits behind the point up to 8 m only.
-    const CuboidList list = test::near_cuboids(random, count, 10);
+    // Positions are whole numbers of cells: floats hold them as they are.
+    const CuboidList list = test::near_cuboids(random, count, 10'000);
     const Mesh mesh = mesh_of(parsed_glb(test::written(".glb", list)));
     EXPECT_EQ(mesh.vertices.size(), 24U * list.cuboids.size());
-    expect_boxes(mesh, list, 1e-6);
+    expect_boxes(mesh, list, 1e-9);
   }
 }
 
@@ -244,7 +247,7 @@ TEST(CuboidMeshes, stay_exact_far_from_the_origin) {
   list.frame.translation() = Vector3d(4.5e5, -5.8e6, 300);
   // What 24 bits hold within some meters, and the rounding of doubles at 5800 km.
   expect_boxes(parsed_ply(test::written(".ply", list)), list, 1e-8);
-  expect_boxes(mesh_of(parsed_glb(test::written(".glb", list))), list, 1e-6);
+  expect_boxes(mesh_of(parsed_glb(test::written(".glb", list))), list, 1e-8);
 }
 
 TEST(CuboidMeshes, of_nothing_are_valid) {
