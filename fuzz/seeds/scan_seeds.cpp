@@ -91,6 +91,9 @@ void add_bags(Seeds& seeds) {
   seeds.add("mcap", "lz4", mcap_bytes(bag, {.compression = TestCompression::lz4}));
   seeds.add("mcap", "zstd",
             mcap_bytes(bag, {.compression = TestCompression::zstd, .summary = false}));
+  const TemporaryFolder folder;
+  write_db3(bag, folder / "drive.db3", 512);
+  seeds.add("db3", "drive", read_text(folder / "drive.db3"));
   seeds.add("cloud_message", "points", cloud_of(kPoints, 7).message());
   seeds.add("cloud_message", "big", cloud_of(kPoints, 7).message(true));
   seeds.add("metadata", "mcap",

@@ -87,9 +87,10 @@ std::string chunk_index(const ChunkPlace& place, const McapStyle& style) {
 
 class Database {
  public:
-  explicit Database(const std::filesystem::path& file) {
+  Database(const std::filesystem::path& file, int page_size) {
     sqlite3_open(file.c_str(), &database_);
-    run("PRAGMA journal_mode=OFF; PRAGMA synchronous=OFF; BEGIN");
+    run(fmt::format("PRAGMA page_size={}; PRAGMA journal_mode=OFF; PRAGMA synchronous=OFF; BEGIN",
+                    page_size));
   }
   Database(const Database&) = delete;
   Database& operator=(const Database&) = delete;
@@ -205,8 +206,8 @@ std::string mcap_bytes(const TestBag& bag, const McapStyle& style) {
   return bytes + summary + raw(style.checksums ? plain_crc32(summary) : 0U) + std::string(kMagic);
 }
 
-void write_db3(const TestBag& bag, const std::filesystem::path& file) {
-  Database database(file);
+void write_db3(const TestBag& bag, const std::filesystem::path& file, int page_size) {
+  Database database(file, page_size);
   database.run(
       "CREATE TABLE topics(id INTEGER PRIMARY KEY,name TEXT NOT NULL,type TEXT NOT NULL,"
       "serialization_format TEXT NOT NULL,offered_qos_profiles TEXT NOT NULL);"

@@ -54,8 +54,8 @@ std::string pack(TestCompression compression, std::string_view content);
 /// The CRC-32 of the bytes, bit by bit.
 std::uint32_t plain_crc32(std::string_view bytes);
 
-/// A `.db3` file of rosbag2. `file` must not exist.
-void write_db3(const TestBag& bag, const std::filesystem::path& file);
+/// A `.db3` file of rosbag2 with pages of so many bytes. `file` must not exist.
+void write_db3(const TestBag& bag, const std::filesystem::path& file, int page_size = 4096);
 
 /// A folder of rosbag2 with its metadata and the messages dealt out to `files` files one after
 /// another, as MCAP or as `.db3`.
