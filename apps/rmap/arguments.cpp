@@ -102,6 +102,16 @@ bool parse_numbers(std::string_view text, std::span<double> numbers) {
   return text.empty();
 }
 
+std::vector<std::string> split_at_commas(const std::string& text) {
+  std::vector<std::string> parts;
+  for (std::size_t begin = 0; begin <= text.size();) {
+    const std::size_t end = std::min(text.find(',', begin), text.size());
+    parts.push_back(text.substr(begin, end - begin));
+    begin = end + 1;
+  }
+  return parts;
+}
+
 Vector3d vector_argument(std::string_view name, std::string_view text) {
   const auto vector = parse_vector(text);
   if (!vector) throw UsageError(refusal(name, text, kVectorForm));

@@ -33,6 +33,9 @@ std::optional<double> parse_number(std::string_view text);
 /// when `text` is anything else.
 bool parse_numbers(std::string_view text, std::span<double> numbers);
 
+/// What stands between the commas of `text`, empty parts too.
+std::vector<std::string> split_at_commas(const std::string& text);
+
 /// Three numbers as a vector, six as a box; what they are for, in messages, is `name`.
 /// Throw UsageError.
 Vector3d vector_argument(std::string_view name, std::string_view text);

@@ -6,9 +6,9 @@
 #include "output.hpp"
 #include "progress.hpp"
 #include "scan_options.hpp"
+#include "stopwatch.hpp"
 #include "verbs.hpp"
 
-#include <chrono>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -38,18 +38,6 @@ struct BuildArguments {
   int every = 1;
   bool dry_run = false;
   bool json = false;
-};
-
-class Stopwatch {
- public:
-  /// Seconds since the construction or the last lap.
-  double lap() {
-    const auto now = std::chrono::steady_clock::now();
-    return std::chrono::duration<double>(now - std::exchange(last_, now)).count();
-  }
-
- private:
-  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
 };
 
 // The scans that are asked for, without the points that are not.
@@ -101,7 +89,7 @@ class WantedScans {
 
 Grid starting_grid(const BuildArguments& arguments) {
   if (arguments.onto.empty()) return Grid(arguments.map.options());
-  Grid grid = load(arguments.onto, arguments.map.load_options());
+  Grid grid = load_map(arguments.onto, arguments.map.load_options());
   arguments.map.require_agreement(grid.options(), arguments.onto);
   return grid;
 }

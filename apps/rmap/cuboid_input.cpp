@@ -3,9 +3,9 @@
 #include "arguments.hpp"
 #include "octomap_maps.hpp"
 #include "progress.hpp"
+#include "stopwatch.hpp"
 
 #include <array>
-#include <chrono>
 
 #include <fmt/format.h>
 
@@ -20,20 +20,6 @@ namespace rmap::command {
 namespace {
 
 constexpr double kDefaultResolution = 0.1;
-
-class Stopwatch {
- public:
-  /// Seconds since it was made or asked last.
-  double lap() {
-    const auto now = std::chrono::steady_clock::now();
-    const double seconds = std::chrono::duration<double>(now - last_).count();
-    last_ = now;
-    return seconds;
-  }
-
- private:
-  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
-};
 
 // Cells keep the axes that they have.
 void refuse_other_lattice(const std::filesystem::path& file, double resolution,

@@ -48,21 +48,11 @@ struct EvaluateArguments {
   bool json = false;
 };
 
-std::vector<std::string> parts(const std::string& text) {
-  std::vector<std::string> parts;
-  for (std::size_t begin = 0; begin <= text.size();) {
-    const std::size_t end = std::min(text.find(',', begin), text.size());
-    parts.push_back(text.substr(begin, end - begin));
-    begin = end + 1;
-  }
-  return parts;
-}
-
 std::set<std::string> experiments_of(const std::string& text) {
   std::set<std::string> experiments;
   if (text.empty()) return experiments;
   const std::vector<std::string>& names = evaluation::experiment_names();
-  for (const std::string& name : parts(text)) {
+  for (const std::string& name : split_at_commas(text)) {
     if (std::find(names.begin(), names.end(), name) == names.end()) {
       throw UsageError(fmt::format("--experiments names \"{}\": the experiments are {}", name,
                                    fmt::join(names, ", ")));
@@ -74,7 +64,7 @@ std::set<std::string> experiments_of(const std::string& text) {
 
 std::vector<double> resolutions_of(const std::string& text) {
   std::vector<double> resolutions;
-  for (const std::string& part : parts(text)) {
+  for (const std::string& part : split_at_commas(text)) {
     const auto number = parse_number(part);
     if (!number) {
       throw UsageError(

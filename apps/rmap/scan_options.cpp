@@ -2,7 +2,6 @@
 
 #include "arguments.hpp"
 
-#include <algorithm>
 #include <array>
 #include <vector>
 
@@ -23,22 +22,10 @@ Pose pose_argument(const std::string& text, QuaternionOrder order) {
                     text));
   }
   try {
-    return make_pose({n[0], n[1], n[2]}, order == QuaternionOrder::xyzw
-                                             ? Eigen::Quaterniond(n[6], n[3], n[4], n[5])
-                                             : Eigen::Quaterniond(n[3], n[4], n[5], n[6]));
+    return make_pose({n[0], n[1], n[2]}, quaternion_of(&n[3], order));
   } catch (const Error& error) {
     throw UsageError(fmt::format("--sensor-pose is \"{}\": {}", text, error.what()));
   }
-}
-
-std::vector<std::string> split_at_commas(const std::string& text) {
-  std::vector<std::string> parts;
-  for (std::size_t begin = 0; begin <= text.size();) {
-    const std::size_t end = std::min(text.find(',', begin), text.size());
-    parts.push_back(text.substr(begin, end - begin));
-    begin = end + 1;
-  }
-  return parts;
 }
 
 }  // namespace

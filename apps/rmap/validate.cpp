@@ -42,6 +42,7 @@ Problems problem_of(Read&& read) {
     read();
     return {};
   } catch (const Error& error) {
+    if (error.kind() == ErrorKind::usage) throw;
     return {{.sentence = error.what()}};
   }
 }
@@ -103,6 +104,7 @@ Problems check(const std::filesystem::path& file, const ScanReadOptions& reading
   try {
     return check_by_name(file, reading);
   } catch (const Error& error) {
+    if (error.kind() == ErrorKind::usage) throw;
     return {{.sentence = error.what()}};
   }
 }

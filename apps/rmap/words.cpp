@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include <fmt/format.h>
 
@@ -221,7 +222,12 @@ std::string printable(std::string_view text) {
 }
 
 std::string in_brackets(const Vector3d& vector) {
-  return fmt::format("({:.6g}, {:.6g}, {:.6g})", vector.x(), vector.y(), vector.z());
+  const auto readable = [](double metres) {
+    // Far from the origin six digits end before the decimal point.
+    return std::abs(metres) < 1000 ? fmt::format("{:.6g}", metres) : fmt::format("{:.3f}", metres);
+  };
+  return fmt::format("({}, {}, {})", readable(vector.x()), readable(vector.y()),
+                     readable(vector.z()));
 }
 
 std::string readable_box(const Box& box) {

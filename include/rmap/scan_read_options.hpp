@@ -32,6 +32,13 @@ enum class QuaternionOrder {
   wxyz,  ///< Hamilton's, as PCL writes it
 };
 
+/// The quaternion that four numbers are in that order; it is not normalised.
+inline Eigen::Quaterniond quaternion_of(const double* numbers, QuaternionOrder order) {
+  return order == QuaternionOrder::xyzw
+             ? Eigen::Quaterniond(numbers[3], numbers[0], numbers[1], numbers[2])
+             : Eigen::Quaterniond(numbers[0], numbers[1], numbers[2], numbers[3]);
+}
+
 /// How scans are to be understood where their files leave a choice or lack something.
 /// What has no meaning for the files at hand is an Error(usage) when they are opened.
 struct ScanReadOptions {

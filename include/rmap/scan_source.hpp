@@ -17,7 +17,7 @@ namespace rmap {
 
 /// What a source met in a pass beside the scans that it gave.
 struct ScanNotes {
-  std::uint64_t without_pose = 0;          ///< scans passed over because no pose is known for them
+  std::uint64_t without_pose = 0;  ///< scans passed over because no pose is known for them
   /// What is wrong with the files and could be read all the same, a sentence each.
   std::vector<std::string> warnings = {};
   /// What is sound and yet worth knowing, a sentence each.
@@ -55,13 +55,16 @@ class ScanSource {
 
 /// Opens scans by what `path` is:
 ///
-/// - a folder of scans: all its `.bin` files (KITTI: little-endian float32 x, y, z,
-///   intensity; at least one point) or all its `.pcd` files (ascii, binary,
-///   binary_compressed) in natural order (2 before 10), and beside them `poses.txt`
-///   with one pose a scan, as in `read_poses`. Points are in the sensor's frame, in
-///   metres. Other files, subfolders and names that begin with a dot are passed
-///   over; a folder with both kinds is an error. The VIEWPOINT of a `.pcd` is ignored.
-/// - one scan file of such a folder: that scan alone, with its line of `poses.txt`.
+/// - a folder of scans: all its files of one format in natural order (2 before 10): `.bin`
+///   (KITTI: little-endian float32 x, y, z, intensity; at least one point), `.pcd`, `.ply`,
+///   `.las`, 3DTK's `.3d`, or text (`.xyz`, `.csv`) where none of these is there; and beside
+///   them `poses.txt` with one pose a scan, as in `read_poses`, 3DTK's `.pose` files, KITTI's
+///   layout, or the trajectory of the options (docs/formats/scan-folders.md). Points are in the
+///   sensor's frame, in metres. Other files, subfolders and names that begin with a dot are
+///   passed over; a folder with two formats is an error.
+/// - one scan file of such a folder: that scan alone, with its pose. A lone file's is in the
+///   file (VIEWPOINT of a `.pcd`, an origin for each point) or in the options.
+/// - a scan graph of OctoMap (`.graph`).
 /// - a bag of ROS 2: an MCAP file (`.mcap`), a `.db3` of rosbag2, or the folder with
 ///   `metadata.yaml` that rosbag2 makes. Clouds (sensor_msgs/PointCloud2) are scans, in the
 ///   order of their recording; `ScanReadOptions` say of which topic and where poses come from.

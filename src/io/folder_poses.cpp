@@ -1,6 +1,7 @@
 #include "io/folder_poses.hpp"
 
 #include "io/kitti_calibration.hpp"
+#include "io/option_meaning.hpp"
 #include "io/pose_file.hpp"
 #include "io/pose_math.hpp"
 #include "io/scan_folder.hpp"
@@ -70,6 +71,8 @@ std::vector<std::optional<Pose>> read_trajectory_of(const std::filesystem::path&
                                                     std::size_t scans,
                                                     const ScanReadOptions& options) {
   const std::filesystem::path times = options.times.empty() ? folder / "times.txt" : options.times;
+  refuse_option(!options.times.empty() && !has_times(options.trajectory), "times (--times)", folder,
+                "the poses of its trajectory have none, and are taken in the order of the scans");
   const bool by_time = has_times(options.trajectory) && (!options.times.empty() || is_there(times));
   return by_time ? read_by_time(options.trajectory, folder, scans, times, options.quaternion)
                  : read_in_order(options.trajectory, folder, scans, options.quaternion);
@@ -125,7 +128,7 @@ std::optional<FolderPoses> found_poses(const std::filesystem::path& folder,
     carry_to_lidar(folder / "calib.txt", file.filename() != kPosesName, found);
     return found;
   }
-  if (!std::all_of(files.begin(), files.end(), has_pose_beside)) return std::nullopt;
+  if (std::none_of(files.begin(), files.end(), has_pose_beside)) return std::nullopt;
   for (const auto& file : files) found.poses.emplace_back(read_3dtk_pose(pose_beside(file)));
   return found;
 }

@@ -3,11 +3,13 @@
 #include "io/bytes.hpp"
 #include "io/input_file.hpp"
 #include "io/memory.hpp"
+#include "io/option_meaning.hpp"
 
 #include <algorithm>
 #include <array>
 #include <limits>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -172,6 +174,11 @@ class GraphSource final : public ScanSource {
 
 std::unique_ptr<ScanSource> open_scan_graph(const std::filesystem::path& file,
                                             const ScanReadOptions& options) {
+  constexpr std::string_view kWhy = "its scans have poses of their own";
+  refuse_bag_options(file, options.bag);
+  refuse_place_of_lone_file(file, options, kWhy);
+  refuse_trajectory(file, options, kWhy);
+  refuse_columns(file, options);
   return std::make_unique<GraphSource>(file, options);
 }
 

@@ -1,8 +1,10 @@
 #include "io/kitti_calibration.hpp"
 
 #include "io/input_file.hpp"
+#include "io/pose_math.hpp"
 #include "io/text.hpp"
 
+#include <array>
 #include <string_view>
 #include <vector>
 
@@ -16,25 +18,22 @@ namespace {
 
 // The numbers behind the key, row by row.
 Pose parse_matrix(std::string_view text) {
-  Pose pose = Pose::Identity();
-  for (int row = 0; row < 3; ++row) {
-    for (int column = 0; column < 4; ++column) {
-      const std::string_view word = next_word(text);
-      const auto number = parse_double(word);
-      if (!number) {
-        throw Error(ErrorKind::input,
-                    fmt::format("{} stands where one of the 12 numbers of a 3x4 matrix must be",
-                                in_quotes(word)));
-      }
-      pose(row, column) = *number;
+  std::array<double, 12> numbers{};
+  for (double& number : numbers) {
+    const std::string_view word = next_word(text);
+    const auto value = parse_double(word);
+    if (!value) {
+      throw Error(ErrorKind::input,
+                  fmt::format("{} stands where one of the 12 numbers of a 3x4 matrix must be",
+                              in_quotes(word)));
     }
+    number = *value;
   }
   if (const std::string_view more = next_word(text); !more.empty()) {
     throw Error(ErrorKind::input,
                 fmt::format("{} follows the 12 numbers of a 3x4 matrix", in_quotes(more)));
   }
-  check_pose(pose);
-  return pose;
+  return matrix_pose(numbers.data());
 }
 
 }  // namespace

@@ -121,8 +121,8 @@ void read_las(InputFile& file, const PointReadOptions& options, PointCloud& clou
   file.skip(header.first_point);
   // A point has 65535 bytes at most, so that at least some fit.
   const std::uint64_t points_per_piece = kPieceSize / header.point_size;
-  std::vector<std::byte> piece(
-      static_cast<std::size_t>(std::min(points_per_piece, header.points)) * header.point_size);
+  std::vector<std::byte> piece(static_cast<std::size_t>(std::min(points_per_piece, header.points)) *
+                               header.point_size);
   while (cloud.points.size() < header.points) {
     const auto count = static_cast<std::size_t>(
         std::min<std::uint64_t>(points_per_piece, header.points - cloud.points.size()));

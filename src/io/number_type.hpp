@@ -32,10 +32,7 @@ constexpr std::size_t size_of(NumberType type) {
 /// The number whose bytes, in that order, start at `bytes`, of any alignment.
 template <class T>
 T load_number(const std::byte* bytes, std::endian order) {
-  if (order == std::endian::little) return load_little<T>(bytes);
-  std::array<std::byte, sizeof(T)> turned;
-  std::reverse_copy(bytes, bytes + sizeof(T), turned.begin());
-  return load_little<T>(turned.data());
+  return order == std::endian::little ? load_little<T>(bytes) : load_big<T>(bytes);
 }
 
 /// Calls `use(T{})` with the C++ type of a number type.

@@ -61,6 +61,15 @@ std::optional<PointFields> find_point_fields(std::span<const std::string> names)
   return fields;
 }
 
+void read_coordinates(const std::array<NumberColumn, 3>& columns, const Vector3d& offset,
+                      std::span<Vector3f> points) {
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const int row = static_cast<int>(axis);
+    for_numbers(columns[axis], points.size(),
+                [&](std::size_t i, auto value) { points[i][row] = narrowed(value, offset[row]); });
+  }
+}
+
 void read_columns(const PointColumns& columns, std::size_t count, const PointReadOptions& options,
                   PointCloud& cloud) {
   const bool in_map = options.in_map || columns.origin;
@@ -72,12 +81,7 @@ void read_columns(const PointColumns& columns, std::size_t count, const PointRea
     cloud.stored_as_floats = cloud.stored_as_floats && column.type == NumberType::f32;
   }
   cloud.shifted = !cloud.stored_as_floats;
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    const int row = static_cast<int>(axis);
-    const double shift = cloud.shifted ? offset[row] : 0;
-    for_numbers(columns.point[axis], count,
-                [&](std::size_t i, auto value) { cloud.points[i][row] = narrowed(value, shift); });
-  }
+  read_coordinates(columns.point, cloud.shifted ? offset : Vector3d::Zero(), cloud.points);
   if (!columns.origin) return;
   cloud.origins.resize(count);
   for (std::size_t axis = 0; axis < 3; ++axis) {

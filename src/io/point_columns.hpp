@@ -38,6 +38,11 @@ struct PointColumns {
   std::optional<std::array<NumberColumn, 3>> origin;
 };
 
+/// Reads points out of as many places of three binary columns, which the caller has checked to
+/// lie in memory: x, y and z less `offset`, as floats.
+void read_coordinates(const std::array<NumberColumn, 3>& columns, const Vector3d& offset,
+                      std::span<Vector3f> points);
+
 /// Reads `count` points out of binary columns, which the caller has checked to lie in memory.
 void read_columns(const PointColumns& columns, std::size_t count, const PointReadOptions& options,
                   PointCloud& cloud);

@@ -3,6 +3,7 @@
 #include "io/bin_file.hpp"
 #include "io/las_file.hpp"
 #include "io/memory.hpp"
+#include "io/option_meaning.hpp"
 #include "io/pcd_file.hpp"
 #include "io/pcd_header.hpp"
 #include "io/ply_file.hpp"
@@ -139,6 +140,12 @@ double read_cloud(const std::filesystem::path& file, const PointReadOptions& opt
 
 std::vector<Vector3f> read_points(const std::filesystem::path& file,
                                   const ScanReadOptions& options) {
+  constexpr std::string_view kWhy = "its points are taken alone, without beams";
+  refuse_bag_options(file, options.bag);
+  refuse_place_of_lone_file(file, options, kWhy);
+  refuse_trajectory(file, options, kWhy);
+  refuse_option(options.no_return.has_value(), "no_return (--no-return)", file, kWhy);
+  if (ending_of(file) != ".bin") refuse_columns(file, options);
   PointCloud cloud;
   const bool in_map = options.frame.value_or(Frame::map) == Frame::map;
   read_cloud(file, {.in_map = in_map, .offset = options.offset, .columns = options.columns}, cloud);

@@ -3,6 +3,7 @@
 #include "io/atomic_file.hpp"
 #include "io/input_file.hpp"
 #include "io/memory.hpp"
+#include "io/pose_math.hpp"
 #include "io/text.hpp"
 
 #include <array>
@@ -48,17 +49,6 @@ Numbers parse_numbers(const std::filesystem::path& file, std::size_t line, std::
 
 bool is_form(std::size_t count) { return count == 7 || count == 8 || count == 12 || count == 16; }
 
-// The 3x4 part of a matrix given row by row.
-Pose matrix_pose(const Numbers& numbers) {
-  Pose pose = Pose::Identity();
-  const double* value = numbers.values.data();
-  for (int row = 0; row < 3; ++row) {
-    for (int column = 0; column < 4; ++column) pose(row, column) = *value++;
-  }
-  check_pose(pose);
-  return pose;
-}
-
 void check_last_row(const Numbers& numbers) {
   const double* row = &numbers.values[12];
   const bool sound =
@@ -72,10 +62,7 @@ void check_last_row(const Numbers& numbers) {
 }
 
 Pose quaternion_pose(const double* values, QuaternionOrder order) {
-  const double* const q = values + 3;
-  return make_pose({values[0], values[1], values[2]},
-                   order == QuaternionOrder::xyzw ? Eigen::Quaterniond(q[3], q[0], q[1], q[2])
-                                                  : Eigen::Quaterniond(q[0], q[1], q[2], q[3]));
+  return make_pose({values[0], values[1], values[2]}, quaternion_of(values + 3, order));
 }
 
 Pose to_pose(const Numbers& numbers, QuaternionOrder order) {
@@ -86,9 +73,9 @@ Pose to_pose(const Numbers& numbers, QuaternionOrder order) {
       return quaternion_pose(numbers.values.data() + 1, order);
     case 16:
       check_last_row(numbers);
-      return matrix_pose(numbers);
+      return matrix_pose(numbers.values.data());
     default:
-      return matrix_pose(numbers);
+      return matrix_pose(numbers.values.data());
   }
 }
 

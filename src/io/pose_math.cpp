@@ -55,6 +55,15 @@ double product(const Pose& a, int row, double x, double y, double z) {
 
 }  // namespace
 
+Pose matrix_pose(const double* numbers) {
+  Pose pose = Pose::Identity();
+  for (int row = 0; row < 3; ++row) {
+    for (int column = 0; column < 4; ++column) pose(row, column) = *numbers++;
+  }
+  check_pose(pose);
+  return pose;
+}
+
 Pose composed(const Pose& a_from_b, const Pose& b_from_c) {
   Pose result = Pose::Identity();
   for (int row = 0; row < 3; ++row) {

@@ -4,6 +4,9 @@
 
 namespace rmap {
 
+/// The pose of the 12 numbers of a 3x4 matrix, row by row. Throws as check_pose.
+Pose matrix_pose(const double* numbers);
+
 // Poses out of poses, in an arithmetic that every machine computes alike: double, without fused
 // multiply-add, in the order that is named here, and by square roots instead of sines.
 

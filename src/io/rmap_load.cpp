@@ -100,16 +100,7 @@ auto decoded(RmapReader& reader, const Chunk& chunk, Decode&& decode) {
 }
 
 Options read_options(RmapReader& reader, const Chunk& chunk) {
-  return decoded(reader, chunk, [](std::span<const std::byte> content) {
-    const Options options = wire::decoded_options(content);
-    try {
-      check_options(options);
-    } catch (const Error& error) {
-      throw Error(error.kind(),
-                  fmt::format("holds options that are not allowed: {}", error.what()));
-    }
-    return options;
-  });
+  return decoded(reader, chunk, wire::decoded_options);
 }
 
 void read_poses(RmapReader& reader, const Chunk& chunk, std::vector<Pose>& poses) {

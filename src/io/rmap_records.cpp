@@ -64,6 +64,11 @@ Options decoded_options(std::span<const std::byte> content) {
   }
   options.saturation = choice_of(next, "saturation", kSaturations);
   options.beams = choice_of(next + sizeof(std::uint32_t), "beams", kBeams);
+  try {
+    check_options(options);
+  } catch (const Error& error) {
+    throw Error(error.kind(), fmt::format("holds options that are not allowed: {}", error.what()));
+  }
   return options;
 }
 

@@ -76,12 +76,6 @@ class Repair {
   void decode_records() {
     for_each(wire::kOptions, [&](const SoundChunk&, std::span<const std::byte> content) {
       const Options options = wire::decoded_options(content);
-      try {
-        check_options(options);
-      } catch (const Error& error) {
-        throw Error(error.kind(),
-                    fmt::format("holds options that are not allowed: {}", error.what()));
-      }
       if (!options_) options_ = options;
     });
     for_each(wire::kHistory, [&](const SoundChunk&, std::span<const std::byte> content) {

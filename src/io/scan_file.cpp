@@ -1,6 +1,7 @@
 #include "io/scan_file.hpp"
 
 #include "io/folder_poses.hpp"
+#include "io/option_meaning.hpp"
 #include "io/point_formats.hpp"
 #include "io/scan_folder.hpp"
 
@@ -12,6 +13,7 @@
 #include <fmt/format.h>
 
 #include <rmap/error.hpp>
+#include <rmap/scan_files.hpp>
 
 namespace rmap {
 
@@ -28,6 +30,12 @@ void check_options(const std::filesystem::path& file, const ScanReadOptions& opt
                         "a sensor pose, a sensor origin and end points exclude one another: each "
                         "says where its beams began");
   }
+  refuse_bag_options(file, options.bag);
+  if (ending_of(file) != ".bin") refuse_columns(file, options);
+  if (options.sensor_pose || options.sensor_origin || options.end_points) {
+    refuse_trajectory(file, options, "another option says where its beams began");
+  }
+  refuse_lone_times(file, options);
   if (options.frame != Frame::sensor) return;
   if (options.sensor_origin) {
     throw contradiction(file,

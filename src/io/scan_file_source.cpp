@@ -40,7 +40,11 @@ class ScanFileSource final : public ScanSource {
     scan.sensor_range = std::numeric_limits<double>::infinity();
     scan.name = file.path.string();
     std::swap(cloud_.points, scan.points);
-    if (file.end_points) take_as_ends(scan);
+    if (file.end_points) {
+      take_as_ends(scan);
+    } else {
+      drop_lost_origins(scan);
+    }
     return true;
   }
 
@@ -65,6 +69,15 @@ class ScanFileSource final : public ScanSource {
     // An origin must be finite, and a point that is not is skipped whatever its origin.
     for (const Vector3f& point : scan.points) {
       scan.origins.push_back(point.allFinite() ? Vector3d(point.cast<double>()) : Vector3d::Zero());
+    }
+  }
+
+  // A beam that began nowhere is no beam: its point is skipped with those that are not finite.
+  static void drop_lost_origins(Scan& scan) {
+    for (std::size_t i = 0; i < scan.origins.size(); ++i) {
+      if (scan.origins[i].allFinite()) continue;
+      scan.origins[i].setZero();
+      scan.points[i].setConstant(std::numeric_limits<float>::quiet_NaN());
     }
   }
 

@@ -2,6 +2,7 @@
 
 #include "io/folder_poses.hpp"
 #include "io/natural_order.hpp"
+#include "io/option_meaning.hpp"
 #include "io/point_formats.hpp"
 #include "io/scan_file.hpp"
 #include "io/scan_file_source.hpp"
@@ -132,6 +133,8 @@ std::vector<std::filesystem::path> list_scan_files(const std::filesystem::path& 
 
 std::unique_ptr<ScanSource> open_scan_folder(const std::filesystem::path& folder,
                                              const ScanReadOptions& options) {
+  refuse_bag_options(folder, options.bag);
+  refuse_lone_times(folder, options);
   if (options.sensor_pose || options.sensor_origin) {
     throw Error(ErrorKind::usage,
                 fmt::format("{} is a folder of scans: one sensor pose or origin is for a lone file",
@@ -142,7 +145,9 @@ std::unique_ptr<ScanSource> open_scan_folder(const std::filesystem::path& folder
     throw Error(ErrorKind::input, fmt::format("{} holds no scans: files ending in {} are allowed",
                                               folder.string(), folder_endings()));
   }
+  if (ending_of(paths.front()) != ".bin") refuse_columns(folder, options);
   if (options.end_points) {
+    refuse_trajectory(folder, options, "end points (--end-points) need no poses");
     return open_scan_files(end_point_files(folder, std::move(paths), options), options);
   }
   auto found = find_folder_poses(folder, paths, options);

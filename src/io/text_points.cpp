@@ -83,10 +83,11 @@ class TextPointReader {
     const std::size_t begin = line.find_first_not_of("#/ \t");
     const bool comment = line.starts_with('#') || line.starts_with("//");
     if (!comment || begin == std::string_view::npos) return;
-    const auto fields = fields_of(split_.separators(line.substr(begin)));
+    const Words& words = split_.separators(line.substr(begin));
+    const auto fields = fields_of(words);
     if (!fields) return;
     commented_ = PointWords{.point = fields->point, .origin = fields->origin};
-    commented_columns_ = split_.separators(line.substr(begin)).size();
+    commented_columns_ = words.size();
   }
 
   static std::optional<PointFields> fields_of(const Words& words) {

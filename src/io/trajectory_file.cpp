@@ -1,6 +1,7 @@
 #include "io/decimal_time.hpp"
 #include "io/input_file.hpp"
 #include "io/memory.hpp"
+#include "io/pose_math.hpp"
 #include "io/text.hpp"
 #include "io/trajectory.hpp"
 
@@ -63,21 +64,13 @@ TimedPose tum_pose(const Words& words, QuaternionOrder order) {
   std::array<double, kTum> n{};
   for (std::size_t i = 1; i < kTum; ++i) n[i] = number_of(words.words[i]);
   return {.stamp = time_of(words.words[0]),
-          .pose = make_pose({n[1], n[2], n[3]}, order == QuaternionOrder::xyzw
-                                                    ? Eigen::Quaterniond(n[7], n[4], n[5], n[6])
-                                                    : Eigen::Quaterniond(n[4], n[5], n[6], n[7]))};
+          .pose = make_pose({n[1], n[2], n[3]}, quaternion_of(&n[4], order))};
 }
 
 TimedPose kitti_pose(const Words& words) {
-  TimedPose pose;
-  std::size_t next = 0;
-  for (int row = 0; row < 3; ++row) {
-    for (int column = 0; column < 4; ++column) {
-      pose.pose(row, column) = number_of(words.words[next++]);
-    }
-  }
-  check_pose(pose.pose);
-  return pose;
+  std::array<double, kKitti> n{};
+  for (std::size_t i = 0; i < kKitti; ++i) n[i] = number_of(words.words[i]);
+  return {.stamp = 0, .pose = matrix_pose(n.data())};
 }
 
 // Calls use(content) for each line that is not blank; its errors get the line's number.

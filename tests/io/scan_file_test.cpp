@@ -42,6 +42,16 @@ TEST(ScanFile, says_what_a_lone_cloud_needs) {
                [&] { open_scans(file); });
 }
 
+TEST(ScanFile, skips_points_whose_beams_began_nowhere) {
+  const test::TemporaryFolder folder;
+  const std::filesystem::path file = folder / "a.csv";
+  write_text(file, "x,y,z,ox,oy,oz\n1,2,3,0,0,0\n4,5,6,nan,0,0\n7,8,9,0,inf,0\n");
+  Grid grid({.resolution = 0.5});
+  const InsertReport report = grid.insert(only_scan(file, {}));
+  EXPECT_EQ(report.inserted, 1u);
+  EXPECT_EQ(report.skipped.not_finite, 2u);
+}
+
 TEST(ScanFile, takes_an_origin_a_pose_or_ends_alone) {
   const test::TemporaryFolder folder;
   const std::filesystem::path file = folder / "a.xyz";

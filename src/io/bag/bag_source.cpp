@@ -4,6 +4,7 @@
 #include "io/bag/point_cloud.hpp"
 #include "io/decimal_time.hpp"
 #include "io/memory.hpp"
+#include "io/option_meaning.hpp"
 
 #include <cmath>
 #include <limits>
@@ -21,24 +22,15 @@ namespace {
 constexpr double kNanosecondsPerSecond = 1e9;
 
 void check_options(const std::filesystem::path& path, const ScanReadOptions& options) {
-  const auto refuse = [&](bool given, std::string_view what, std::string_view why) {
-    if (!given) return;
-    throw Error(ErrorKind::usage,
-                fmt::format("{} has no meaning for the bag {}: {}", what, path.string(), why));
-  };
-  refuse(options.sensor_pose.has_value(), "sensor_pose (--sensor-pose)",
-         "its scans have poses of their own, or those of a trajectory");
-  refuse(options.sensor_origin.has_value(), "sensor_origin (--sensor-origin)",
-         "the poses of its scans say where beams began");
-  refuse(options.end_points, "end_points (--end-points)",
-         "the poses of its scans say where beams began");
-  refuse(!options.columns.empty(), "columns (--columns)", "its clouds name their fields");
-  refuse(options.trajectory.empty() && !options.times.empty(), "times (--times)",
-         "it belongs to the poses of a trajectory (--trajectory), and none is given");
-  refuse(!options.trajectory.empty() && !options.bag.pose_topic.empty(),
-         "pose_topic (--pose-topic)", "the poses come from a trajectory (--trajectory)");
-  refuse(!options.trajectory.empty() && !options.bag.map_frame.empty(), "map_frame (--map-frame)",
-         "the frame of the map is that of the trajectory (--trajectory)");
+  refuse_place_of_lone_file(path, options, "the poses of its scans say where beams began");
+  refuse_option(!options.columns.empty(), "columns (--columns)", path,
+                "its clouds name their fields");
+  refuse_lone_times(path, options);
+  const bool trajectory = !options.trajectory.empty();
+  refuse_option(trajectory && !options.bag.pose_topic.empty(), "pose_topic (--pose-topic)", path,
+                "the poses come from a trajectory (--trajectory)");
+  refuse_option(trajectory && !options.bag.map_frame.empty(), "map_frame (--map-frame)", path,
+                "the frame of the map is that of the trajectory (--trajectory)");
   const auto& from = options.bag.from;
   const auto& to = options.bag.to;
   if ((from && std::isnan(*from)) || (to && std::isnan(*to)) || (from && to && *from > *to)) {

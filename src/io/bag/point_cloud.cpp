@@ -1,5 +1,6 @@
 #include "io/bag/point_cloud.hpp"
 
+#include "io/point_columns.hpp"
 #include "io/text.hpp"
 
 #include <algorithm>
@@ -36,31 +37,12 @@ struct Layout {
   std::array<Field, 3> fields = {};
 };
 
-using Load = float (*)(const std::byte*);
-
-template <class T, bool big>
-float load(const std::byte* bytes) {
-  return static_cast<float>(big ? load_big<T>(bytes) : load_little<T>(bytes));
-}
-
-struct FieldType {
-  std::uint32_t size;
-  Load little;
-  Load big;
-};
-
-template <class T>
-constexpr FieldType field_type() {
-  return {sizeof(T), load<T, false>, load<T, true>};
-}
-
 // By the number that sensor_msgs/PointField gives a type, from 1.
-constexpr std::array kFieldTypes = {field_type<std::int8_t>(),  field_type<std::uint8_t>(),
-                                    field_type<std::int16_t>(), field_type<std::uint16_t>(),
-                                    field_type<std::int32_t>(), field_type<std::uint32_t>(),
-                                    field_type<float>(),        field_type<double>()};
+constexpr std::array kFieldTypes = {NumberType::i8,  NumberType::u8,  NumberType::i16,
+                                    NumberType::u16, NumberType::i32, NumberType::u32,
+                                    NumberType::f32, NumberType::f64};
 
-const FieldType& type_of(const Field& field) { return kFieldTypes[field.type - 1U]; }
+NumberType type_of(const Field& field) { return kFieldTypes[field.type - 1U]; }
 
 template <class... Arguments>
 Error problem(fmt::format_string<Arguments...> text, Arguments&&... arguments) {
@@ -99,7 +81,7 @@ void check_sizes(const Layout& layout, std::size_t data_size) {
   for (std::size_t i = 0; i < layout.fields.size(); ++i) {
     const Field& field = layout.fields[i];
     const std::uint64_t end = std::uint64_t{field.offset} +
-                              std::uint64_t{std::max(field.count, 1U)} * type_of(field).size;
+                              std::uint64_t{std::max(field.count, 1U)} * size_of(type_of(field));
     if (end > layout.point_step) {
       throw problem("its field {} ends at byte {} of a point, which has {} (point_step)", "xyz"[i],
                     end, layout.point_step);
@@ -130,23 +112,21 @@ void check_sizes(const Layout& layout, std::size_t data_size) {
 
 void copy_points(const Layout& layout, std::span<const std::byte> data,
                  std::vector<Vector3f>& points) {
-  std::array<Load, 3> loads{};
-  for (std::size_t i = 0; i < loads.size(); ++i) {
-    const FieldType& type = type_of(layout.fields[i]);
-    loads[i] = layout.big_endian ? type.big : type.little;
-  }
+  const std::endian order = layout.big_endian ? std::endian::big : std::endian::little;
   points.resize(std::size_t{layout.width} * layout.height);
   // Rows of nothing may be announced by the billion.
   if (points.empty()) return;
-  auto point = points.begin();
-  for (std::uint32_t row = 0; row < layout.height; ++row) {
-    const std::byte* bytes = data.data() + std::size_t{row} * layout.row_step;
-    for (std::uint32_t column = 0; column < layout.width; ++column, ++point) {
-      *point = {loads[0](bytes + layout.fields[0].offset),
-                loads[1](bytes + layout.fields[1].offset),
-                loads[2](bytes + layout.fields[2].offset)};
-      bytes += layout.point_step;
+  for (std::size_t row = 0; row < layout.height; ++row) {
+    const std::byte* const bytes = data.data() + row * layout.row_step;
+    std::array<NumberColumn, 3> columns;
+    for (std::size_t i = 0; i < columns.size(); ++i) {
+      columns[i] = {.first = bytes + layout.fields[i].offset,
+                    .step = layout.point_step,
+                    .type = type_of(layout.fields[i]),
+                    .order = order};
     }
+    read_coordinates(columns, Vector3d::Zero(),
+                     std::span(points).subspan(row * layout.width, layout.width));
   }
 }
 

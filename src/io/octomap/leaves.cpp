@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -26,12 +27,24 @@ class Path {
     std::uint32_t next = 0;
   };
 
-  bool empty() const { return depth_ == 0; }
-  Step& last() { return steps_[depth_ - 1]; }
   void enter(const Cell& origin, int level, std::uint32_t children) {
     steps_[depth_++] = {.origin = origin, .level = level, .children = children};
   }
-  void leave() { --depth_; }
+
+  /// Calls use(step, child) for each of the eight children of all that was and is entered; a child
+  /// that is entered meanwhile comes before those behind it.
+  template <class Use>
+  void walk(Use&& use) {
+    while (depth_ > 0) {
+      Step& step = steps_[depth_ - 1];
+      if (step.next == 8) {
+        --depth_;
+      } else {
+        const std::uint32_t child = step.next++;
+        use(std::as_const(step), child);
+      }
+    }
+  }
 
  private:
   std::array<Step, kDepth> steps_;  // inner nodes have levels kDepth to 1
@@ -72,13 +85,7 @@ std::uint64_t walk_states(ByteReader& bytes, FunctionRef<void(const Leaf&)> use)
     path.enter(origin, level, states);
   };
   enter(kRoot, kDepth);
-  while (!path.empty()) {
-    Path::Step& step = path.last();
-    if (step.next == 8) {
-      path.leave();
-      continue;
-    }
-    const std::uint32_t child = step.next++;
+  path.walk([&](const Path::Step& step, std::uint32_t child) {
     const Cell origin = child_origin(step, child);
     const int level = step.level - 1;
     switch (static_cast<Child>((step.children >> (2 * child)) & 3)) {
@@ -97,7 +104,7 @@ std::uint64_t walk_states(ByteReader& bytes, FunctionRef<void(const Leaf&)> use)
         enter(origin, level);
         break;
     }
-  }
+  });
   return nodes;
 }
 
@@ -126,15 +133,9 @@ std::uint64_t walk_values(ByteReader& bytes, bool colors, FunctionRef<void(const
     }
   };
   meet(kRoot, kDepth);
-  while (!path.empty()) {
-    Path::Step& step = path.last();
-    if (step.next == 8) {
-      path.leave();
-      continue;
-    }
-    const std::uint32_t child = step.next++;
+  path.walk([&](const Path::Step& step, std::uint32_t child) {
     if ((step.children >> child & 1) != 0) meet(child_origin(step, child), step.level - 1);
-  }
+  });
   return nodes;
 }
 

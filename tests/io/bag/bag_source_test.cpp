@@ -144,7 +144,7 @@ TEST(BagSource, refuses_options_without_meaning) {
       FAIL();
     } catch (const Error& error) {
       EXPECT_EQ(error.kind(), ErrorKind::usage);
-      EXPECT_THAT(error.what(), HasSubstr(" has no meaning for the bag " + file));
+      EXPECT_THAT(error.what(), HasSubstr(" has no meaning for " + file));
     }
   }
   EXPECT_EQ(all.size(), 7u);
