@@ -19,12 +19,11 @@ bool scan_less(const Cell& a, const Cell& b) {
   return a.y() != b.y() ? a.y() < b.y() : a.x() < b.x();
 }
 
+bool counted_less(const CountedCell& a, const CountedCell& b) { return scan_less(a.cell, b.cell); }
+
 void sort_by_scan(std::vector<CountedCell>& cells) {
-  const auto less = [](const CountedCell& a, const CountedCell& b) {
-    return scan_less(a.cell, b.cell);
-  };
-  if (!std::is_sorted(cells.begin(), cells.end(), less)) {
-    std::sort(cells.begin(), cells.end(), less);
+  if (!std::is_sorted(cells.begin(), cells.end(), counted_less)) {
+    std::sort(cells.begin(), cells.end(), counted_less);
   }
 }
 
@@ -48,7 +47,8 @@ class CellCounter {
   }
   std::vector<CountedCell> counted() && {
     count_piece();
-    return pieces_ > 1 ? sorted_cells(std::move(counted_)) : std::move(counted_);
+    while (pieces_.size() > 1) merge_neighbours();
+    return sorted_cells(std::move(counted_));
   }
 
  private:
@@ -67,7 +67,20 @@ class CellCounter {
       count_runs(cells_, [](const Cell& cell) -> const Cell& { return cell; });
     }
     cells_.clear();
-    ++pieces_;
+  }
+
+  // Two pieces become one; the last of an odd number stays.
+  void merge_neighbours() {
+    std::vector<std::size_t> merged;
+    for (std::size_t i = 0; i < pieces_.size(); i += 2) {
+      const auto begin_of = [&](std::size_t piece) {
+        const std::size_t begin = piece < pieces_.size() ? pieces_[piece] : counted_.size();
+        return counted_.begin() + static_cast<std::ptrdiff_t>(begin);
+      };
+      std::inplace_merge(begin_of(i), begin_of(i + 1), begin_of(i + 2), counted_less);
+      merged.push_back(pieces_[i]);
+    }
+    pieces_ = std::move(merged);
   }
 
   void count_keys(const CellKeys& keys) {
@@ -80,6 +93,7 @@ class CellCounter {
   // Equal ones follow one another.
   template <class Item, class CellOf>
   void count_runs(const std::vector<Item>& items, CellOf&& cell_of) {
+    pieces_.push_back(counted_.size());
     for (std::size_t begin = 0, end = 0; begin < items.size(); begin = end) {
       while (end < items.size() && items[end] == items[begin]) ++end;
       counted_.push_back({cell_of(items[begin]), static_cast<std::uint32_t>(end - begin)});
@@ -90,7 +104,7 @@ class CellCounter {
   std::vector<std::uint64_t> keys_;
   std::vector<std::uint64_t> spare_;
   std::vector<CountedCell> counted_;
-  std::size_t pieces_ = 0;
+  std::vector<std::size_t> pieces_;  // where each begins among the counted
 };
 
 }  // namespace
