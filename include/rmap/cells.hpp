@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <iterator>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include <rmap/grid.hpp>
@@ -83,10 +84,21 @@ class CellRange {
 /// empty or the radius is negative or not finite.
 CellRange cells(const Grid& grid, const CellSelection& selection = {}, Order order = Order::morton);
 
-/// use(cell, value) for each selected cell, in no order: the fastest way. `use`
-/// returns false to stop.
-void for_each_cell(const Grid& grid, const CellSelection& selection,
-                   FunctionRef<bool(const Cell&, Value)> use);
+/// use(cells) for the selected cells of each leaf that has some, up to 512 at a time, leaves in
+/// no order: the fastest way. `use` returns false to stop; the cells are gone when it returns.
+void for_each_batch(const Grid& grid, const CellSelection& selection,
+                    FunctionRef<bool(std::span<const CellValue>)> use);
+
+/// use(cell, value) for each selected cell, in no order. `use` returns false to stop.
+template <class Use>
+void for_each_cell(const Grid& grid, const CellSelection& selection, Use&& use) {
+  for_each_batch(grid, selection, [&](std::span<const CellValue> batch) {
+    for (const CellValue& each : batch) {
+      if (!use(each.cell, each.value)) return false;
+    }
+    return true;
+  });
+}
 
 /// How many cells are selected.
 std::size_t count_cells(const Grid& grid, const CellSelection& selection);

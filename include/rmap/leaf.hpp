@@ -48,10 +48,12 @@ struct Leaf {
   /// use(cell, value) for each existing cell, in Morton order.
   template <class Use>
   void for_each(Use&& use) const {
-    const Value* value = values();
-    cells().for_each([&](BlockPosition position) {
-      use(Cell(origin + block_offset(position)), *value);
-      ++value;
+    if (edge == 1) {
+      use(origin, *content);
+      return;
+    }
+    packed_block::for_each(content, [&](BlockPosition position, Value value) {
+      use(Cell(origin + block_offset(position)), value);
     });
   }
 };

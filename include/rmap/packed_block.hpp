@@ -85,6 +85,20 @@ inline const Value* find(const Value* run, BlockPosition position) {
   return values(run) + rank;
 }
 
+/// use(position, value) for each cell, positions ascending.
+template <class Use>
+void for_each(const Value* run, Use&& use) {
+  const std::uint32_t present = detail::present(run);
+  const Value* value = run + kHeader + kWord * bit_count(present);
+  std::uint32_t place = 0;
+  for (std::uint32_t words = present; words != 0; words &= words - 1) {
+    const auto first = static_cast<BlockPosition>(64 * std::countr_zero(words));
+    for (std::uint64_t left = detail::word(run, place++); left != 0; left &= left - 1) {
+      use(first + static_cast<BlockPosition>(std::countr_zero(left)), *value++);
+    }
+  }
+}
+
 /// Writes which cells there are; their values are to be written behind it.
 inline void write_cells(Value* run, const CellMask& cells) {
   const std::uint32_t present = words_present(cells);

@@ -89,8 +89,7 @@ class WantedCells {
     }
   }
 
-  const CellValue* begin() const { return cells_.data(); }
-  const CellValue* end() const { return cells_.data() + count_; }
+  std::span<const CellValue> cells() const { return std::span(cells_).first(count_); }
 
  private:
   // Nothing foretells which cells are occupied: they are listed without a branch for each.
@@ -135,7 +134,7 @@ void CellRange::fill() {
   next_ = 0;
   while (batch_.empty() && next_leaf_ < leaves_.size()) {
     const WantedCells wanted(leaves_[next_leaf_++], selector);
-    batch_.assign(wanted.begin(), wanted.end());
+    batch_.assign(wanted.cells().begin(), wanted.cells().end());
   }
 }
 
@@ -143,22 +142,20 @@ CellRange cells(const Grid& grid, const CellSelection& selection, Order order) {
   return CellRange(grid, selection, order);
 }
 
-void for_each_cell(const Grid& grid, const CellSelection& selection,
-                   FunctionRef<bool(const Cell&, Value)> use) {
+void for_each_batch(const Grid& grid, const CellSelection& selection,
+                    FunctionRef<bool(std::span<const CellValue>)> use) {
   const Selector selector(grid, selection);
   if (selector.region().empty()) return;
   grid.visit_leaves(selector.region(), [&](const Leaf& leaf) {
-    for (const auto& [cell, value] : WantedCells(leaf, selector)) {
-      if (!use(cell, value)) return false;
-    }
-    return true;
+    const WantedCells wanted(leaf, selector);
+    return wanted.cells().empty() || use(wanted.cells());
   });
 }
 
 std::size_t count_cells(const Grid& grid, const CellSelection& selection) {
   std::size_t count = 0;
-  for_each_cell(grid, selection, [&](const Cell&, Value) {
-    ++count;
+  for_each_batch(grid, selection, [&](std::span<const CellValue> batch) {
+    count += batch.size();
     return true;
   });
   return count;

@@ -61,6 +61,13 @@ TEST_P(CellsInLayout, SelectionsEqualAFilterOverAllCells) {
       called.push_back({cell, value});
       return true;
     });
+    std::vector<CellValue> batched;
+    for_each_batch(grid, selection, [&](std::span<const CellValue> batch) {
+      EXPECT_FALSE(batch.empty());
+      batched.insert(batched.end(), batch.begin(), batch.end());
+      return true;
+    });
+    ASSERT_EQ(batched, called);
     const auto in_order = [](std::vector<CellValue> list) {
       std::sort(list.begin(), list.end(),
                 [](const CellValue& a, const CellValue& b) { return morton_less(a.cell, b.cell); });
@@ -87,6 +94,9 @@ TEST_P(CellsInLayout, StopWhenAsked) {
   int calls = 0;
   for_each_cell(grid, {}, [&](const Cell&, Value) { return ++calls < 5; });
   EXPECT_EQ(calls, 5);
+  int batches = 0;
+  for_each_batch(grid, {}, [&](std::span<const CellValue>) { return ++batches < 2; });
+  EXPECT_EQ(batches, 2);
 }
 
 TEST_P(CellsInLayout, OfAnEmptyGridAreNone) {
