@@ -5,9 +5,6 @@
 
 namespace rmap {
 
-namespace {
-
-/// The box of the cells of a block, which has some.
 CellBox bounds_of(const CellBlocks::Block& block) {
   Cell low = Cell::Constant(kBlockEdge);
   Cell high = Cell::Zero();
@@ -18,8 +15,6 @@ CellBox bounds_of(const CellBlocks::Block& block) {
   });
   return {.min = block.origin + low, .max = block.origin + high + Cell::Ones()};
 }
-
-}  // namespace
 
 CellBlocks::CellBlocks(std::span<const CountedCell> cells) {
   check_cells(cells);

@@ -80,6 +80,9 @@ class CellBlocks {
   CellBox bounds_;
 };
 
+/// The box of the cells of a block, which has some.
+CellBox bounds_of(const CellBlocks::Block& block);
+
 template <class Use>
 bool CellBlocks::for_each_block(const CellBox& box, const Use& use) const {
   const CellBox region = intersection(box, bounds_);

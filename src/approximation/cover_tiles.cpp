@@ -56,16 +56,24 @@ void TileCover::find_tiles() {
     return std::tuple(a.z(), a.y(), a.x()) < std::tuple(b.z(), b.y(), b.x());
   };
   std::map<Cell, Tile, decltype(scan_order)> tiles(scan_order);
-  const Cell origin = cells_.bounds().min;
-  auto tile = tiles.end();
-  cells_.for_each(cells_.bounds(), [&](const Cell& cell, std::size_t) {
-    const Cell place = (cell - origin) / tiling_.edge;
-    if (tile == tiles.end() || tile->first != place) {
-      tile = tiles.try_emplace(place, Tile{place, box_of(cell), 0}).first;
+  const auto place_of = [&](const Cell& cell) -> Cell {
+    return (cell - cells_.bounds().min) / tiling_.edge;
+  };
+  const auto add = [&](const CellBox& box, std::size_t count) {
+    const Cell place = place_of(box.min);
+    Tile& tile = tiles.try_emplace(place, Tile{place, box, 0}).first->second;
+    tile.home = united(tile.home, box);
+    tile.cells += count;
+  };
+  for (const CellBlocks::Block& block : cells_.blocks()) {
+    const CellBox box = bounds_of(block);
+    if (place_of(box.min) == place_of(box.max - Cell::Ones())) {
+      add(box, block.cells.count());
+    } else {
+      block.cells.for_each(
+          [&](BlockPosition at) { add(box_of(block.origin + block_offset(at)), 1); });
     }
-    tile->second.home = united(tile->second.home, box_of(cell));
-    ++tile->second.cells;
-  });
+  }
   for (const auto& [place, found] : tiles) tiles_.push_back(found);
   const auto parity = [](const Tile& one) {
     return (one.place.x() & 1) | (one.place.y() & 1) << 1 | (one.place.z() & 1) << 2;
