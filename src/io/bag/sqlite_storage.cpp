@@ -78,6 +78,13 @@ Error SqliteStorage::damaged(std::string_view problem) const {
   return {ErrorKind::input, fmt::format("{} is damaged: {}", file_.string(), problem)};
 }
 
+// SQLite says so of some damaged schemas too, however much memory there is.
+Error SqliteStorage::short_of_memory() const {
+  return {ErrorKind::input, fmt::format("{} cannot be read: it is damaged, or there is not enough "
+                                        "memory (SQLite says: out of memory)",
+                                        file_.string())};
+}
+
 SqliteStorage::SqliteStorage(std::filesystem::path file)
     : file_(std::move(file)), file_size_(std::filesystem::file_size(file_)) {
   open();
@@ -140,7 +147,7 @@ SqliteStorage::Statement SqliteStorage::prepare(std::string_view sql) const {
   sqlite3_stmt* statement = nullptr;
   const int code = sqlite3_prepare_v2(database_.get(), sql.data(), static_cast<int>(sql.size()),
                                       &statement, nullptr);
-  if (code == SQLITE_NOMEM) throw std::bad_alloc();
+  if (code == SQLITE_NOMEM) throw short_of_memory();
   if (code != SQLITE_OK) {
     throw damaged(fmt::format("SQLite says: {}", sqlite3_errmsg(database_.get())));
   }
@@ -151,7 +158,7 @@ bool SqliteStorage::step(sqlite3_stmt* statement) const {
   const int code = sqlite3_step(statement);
   if (code == SQLITE_ROW) return true;
   if (code == SQLITE_DONE) return false;
-  if (code == SQLITE_NOMEM) throw std::bad_alloc();
+  if (code == SQLITE_NOMEM) throw short_of_memory();
   const std::string reason = sqlite3_errmsg(database_.get());
   if ((code & 0xFF) == SQLITE_IOERR) {
     throw Error(ErrorKind::io, fmt::format("cannot read {}: {}", file_.string(), reason));

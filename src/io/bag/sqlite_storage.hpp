@@ -48,6 +48,7 @@ class SqliteStorage : public BagStorage {
   Statement prepare(std::string_view sql) const;
   bool step(sqlite3_stmt* statement) const;
   Error damaged(std::string_view problem) const;
+  Error short_of_memory() const;
 
   std::filesystem::path file_;
   std::uint64_t file_size_ = 0;

@@ -54,11 +54,6 @@ YamlReader::YamlReader(const std::filesystem::path& file, std::string_view text)
   for (int events = 0; events < 3; ++events) advance();
 }
 
-YamlReader::~YamlReader() {
-  yaml_event_delete(&event_);
-  yaml_parser_delete(&parser_);
-}
-
 bool YamlReader::enter_value(std::string_view key) {
   if (event_.type != YAML_MAPPING_START_EVENT) return false;
   advance();

@@ -17,9 +17,6 @@ class YamlReader {
  public:
   /// `text` must outlive the reader.
   YamlReader(const std::filesystem::path& file, std::string_view text);
-  ~YamlReader();
-  YamlReader(const YamlReader&) = delete;
-  YamlReader& operator=(const YamlReader&) = delete;
 
   /// Whether the next node is a mapping with that key; its value is the next node then.
   bool enter_value(std::string_view key);
@@ -35,10 +32,19 @@ class YamlReader {
   void skip_node();
   [[noreturn]] void fail(std::size_t line, std::string_view problem) const;
 
+  // What libyaml allocates, freed as it wants it.
+  template <class T, void (*kDelete)(T*)>
+  struct Freed : T {
+    Freed() : T{} {}
+    ~Freed() { kDelete(this); }
+    Freed(const Freed&) = delete;
+    Freed& operator=(const Freed&) = delete;
+  };
+
   std::filesystem::path file_;
-  yaml_parser_t parser_ = {};
-  yaml_event_t event_ = {};  // the next one
-  int depth_ = 0;            // nodes around it
+  Freed<yaml_parser_t, yaml_parser_delete> parser_;
+  Freed<yaml_event_t, yaml_event_delete> event_;  // the next one
+  int depth_ = 0;                                 // nodes around it
 };
 
 }  // namespace rmap
