@@ -17,8 +17,9 @@ constexpr double kGround = 0.0033;
 void add(Sequence& sequence, const Scan& scan) {
   if (!scan.origins.empty()) {
     throw Error(ErrorKind::input,
-                fmt::format("scan {} of {} has an origin for each point: the experiments compare "
-                            "with OctoMap, which takes one origin for a scan",
+                fmt::format("scan {} of {} has an origin for each point, or points without beams: "
+                            "the experiments compare with OctoMap, which takes beams from one "
+                            "origin a scan",
                             sequence.scans.size(), sequence.name));
   }
   Scan moved{.frame = Frame::map};
@@ -89,7 +90,7 @@ Sequence campus_sequence(std::size_t most, double lift, std::uint64_t seed) {
   Sequence sequence{
       .name = "campus",
       .source = fmt::format("simulated: the first sixth of {}, 64 x 1024 beams of up to 50 m a "
-                            "scan, the ground at {:.4f} m",
+                            "scan without noise, the ground at {:.4f} m",
                             simulation.description(), kGround + lift)};
   const std::size_t count = most == 0 ? kScans : std::min(most, kScans);
   for (std::size_t i = 0; i < count; ++i) {

@@ -15,6 +15,7 @@
 #include <cstdio>
 #include <fstream>
 #include <memory>
+#include <string_view>
 #include <system_error>
 
 #include <fmt/format.h>
@@ -131,19 +132,31 @@ evaluation::EvaluationOptions options_of(const EvaluateArguments& arguments) {
   return options;
 }
 
-// The command that gives these results again.
-std::string command_line(const EvaluateArguments& arguments,
-                         const evaluation::EvaluationOptions& options) {
+// As a shell takes it for one word.
+std::string quoted(const std::string& word) {
+  constexpr std::string_view kPlain =
+      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_-./,:=+";
+  if (!word.empty() && word.find_first_not_of(kPlain) == std::string::npos) return word;
+  std::string quoted = "'";
+  for (const char character : word) {
+    quoted += character == '\'' ? std::string("'\\''") : std::string(1, character);
+  }
+  return quoted + "'";
+}
+
+// The command that gives these results again: all that was given, whichever option it is.
+std::string command_line(const CLI::App& verb) {
   std::string line = "rmap evaluate";
-  for (const auto& path : arguments.scans) line += " " + path.string();
-  for (const auto& file : arguments.clouds) line += " --cloud " + file.string();
-  line += fmt::format(" -o {}", arguments.output.string());
-  if (arguments.quick) line += " --quick";
-  if (!arguments.experiments.empty()) line += " --experiments " + arguments.experiments;
-  line += fmt::format(" --resolution {}", fmt::join(options.resolutions, ","));
-  if (arguments.most_scans > 0) line += fmt::format(" --scans {}", arguments.most_scans);
-  if (arguments.scans.empty()) line += fmt::format(" --lift {}", arguments.lift);
-  line += fmt::format(" --repetitions {} --seed {}", options.repetitions, arguments.seed);
+  for (const CLI::Option* option : verb.get_options()) {
+    if (option->count() == 0 || option->check_name("--json")) continue;
+    const bool is_flag = option->get_items_expected_max() == 0;
+    if (is_flag) line += " " + option->get_name();
+    for (const std::string& value : option->results()) {
+      if (is_flag) break;
+      line += option->get_positional() ? " " : " " + option->get_name() + " ";
+      line += quoted(value);
+    }
+  }
   return line;
 }
 
@@ -157,7 +170,7 @@ void write_text(const std::filesystem::path& file, const std::string& text) {
   }
 }
 
-// What is being done, on a line of its own: a long job in a script tells so too.
+// What is being done, on a line of its own, to who watches.
 void tell(const std::string& what) {
   if (!error_is_terminal()) return;
   fmt::print(stderr, "{}\n", what);
@@ -184,7 +197,7 @@ void print_summary(const EvaluateArguments& arguments, const evaluation::Evaluat
   print(text);
 }
 
-void run(const EvaluateArguments& arguments) {
+void run(const EvaluateArguments& arguments, const CLI::App& verb) {
   if (arguments.output.empty()) {
     throw UsageError("-o is missing: the results need a folder (see rmap evaluate --help)");
   }
@@ -200,7 +213,7 @@ void run(const EvaluateArguments& arguments) {
   const evaluation::Evaluation result = evaluation::evaluate(sequences, clouds, options, tell);
   const SignalHold hold;
   StagedFolder folder(arguments.output);
-  Json document{{"command", command_line(arguments, options)},
+  Json document{{"command", command_line(verb)},
                 {"seed", arguments.seed},
                 {"quick", arguments.quick},
                 {"machine", evaluation::describe_machine()}};
@@ -261,12 +274,13 @@ void add_evaluate(CLI::App& app) {
   add_number(verb, "--lift", arguments->lift,
              "Metres that the simulated campus is lifted by: where its ground, at 0.0033, lies in "
              "its layer of cells (default -0.0133, just under a border).");
-  add_seed(verb, "--seed", arguments->seed, "Seed of the simulation (default 0).");
+  add_seed(verb, "--seed", arguments->seed,
+           "Seed of the simulated clouds (default 0); the campus is without chance.");
   verb.add_flag("--quick", arguments->quick,
                 "Little of everything, within two minutes: the shape of the findings.");
   add_json_flag(verb, arguments->json);
   arguments->reading.add_to(verb);
-  verb.callback([arguments] { run(*arguments); });
+  verb.callback([arguments, &verb] { run(*arguments, verb); });
 }
 
 }  // namespace rmap::command
