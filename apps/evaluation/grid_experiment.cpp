@@ -97,6 +97,7 @@ HistoryRow histories(const std::vector<Contender>& all) {
 // The time of a scan, and what the map has taken by it.
 template <class Work>
 void charge(GridSample& sample, double& heap, Work&& work) {
+  settle_heap();
   const std::int64_t before = heap_in_use();
   sample.insert_ms += milliseconds_of(work);
   heap += static_cast<double>(heap_in_use() - before);
