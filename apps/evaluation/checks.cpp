@@ -25,6 +25,7 @@ bool rises(std::vector<double> values, double slack = 0) {
 
 std::string listed(const std::vector<double>& values) {
   std::vector<std::string> texts;
+  texts.reserve(values.size());
   for (const double value : values) texts.push_back(fmt::format("{:.4g}", value));
   return fmt::format("{}", fmt::join(texts, ", "));
 }
