@@ -149,13 +149,12 @@ std::string command_line(const CLI::App& verb) {
   std::string line = "rmap evaluate";
   for (const CLI::Option* option : verb.get_options()) {
     if (option->count() == 0 || option->check_name("--json")) continue;
-    const bool is_flag = option->get_items_expected_max() == 0;
-    if (is_flag) line += " " + option->get_name();
-    for (const std::string& value : option->results()) {
-      if (is_flag) break;
-      line += option->get_positional() ? " " : " " + option->get_name() + " ";
-      line += quoted(value);
+    if (option->get_items_expected_max() == 0) {
+      line += " " + option->get_name();
+      continue;
     }
+    const std::string name = option->get_positional() ? "" : option->get_name() + " ";
+    for (const std::string& value : option->results()) line += " " + name + quoted(value);
   }
   return line;
 }

@@ -1,4 +1,5 @@
 // Seeds of scans in the formats that the library only reads.
+#include "io/scan_samples.hpp"
 #include "seeds.hpp"
 #include "support/bag_messages.hpp"
 #include "support/bag_writer.hpp"
@@ -19,34 +20,10 @@ std::string ply(const std::string& form, const std::string& data) {
          "property list uchar int vertex_indices\nend_header\n" + data;
 }
 
-std::string las(int minor) {
-  const std::size_t header_size = minor == 4 ? 375 : 227;
-  std::string text(header_size, '\0');
-  const auto put = [&](std::size_t at, const std::string& value) {
-    text.replace(at, value.size(), value);
-  };
-  put(0, "LASF");
-  put(24, std::string(1, '\1') + static_cast<char>(minor));
-  put(94, raw(static_cast<std::uint16_t>(header_size)));
-  put(96, raw(static_cast<std::uint32_t>(header_size)));
-  put(105, raw(std::uint16_t{20}));
-  put(107, raw(std::uint32_t{2}));
-  if (minor == 4) put(247, raw(std::uint64_t{2}));
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    put(131 + 8 * axis, raw(0.01));
-    put(155 + 8 * axis, raw(1000.0));
-  }
-  return text + std::string(40, '\x11');
-}
-
 std::string graph() {
-  const auto numbers = [](std::initializer_list<double> values) {
-    std::string text = raw(static_cast<std::uint32_t>(values.size()));
-    for (const double value : values) text += raw(value);
-    return text;
-  };
-  return raw(std::uint32_t{1}) + raw(std::uint32_t{2}) + numbers({1, 2, 3}) + numbers({4, 5, 6}) +
-         numbers({0, 0, 1}) + numbers({1, 0, 0, 0}) + raw(std::uint32_t{0}) + raw(std::uint32_t{0});
+  return raw(std::uint32_t{1}) + raw(std::uint32_t{2}) + graph_vector({1, 2, 3}) +
+         graph_vector({4, 5, 6}) + graph_vector({0, 0, 1}) + graph_vector({1, 0, 0, 0}) +
+         raw(std::uint32_t{0}) + raw(std::uint32_t{0});
 }
 
 TestBag drive() {
@@ -70,8 +47,8 @@ void add_clouds(Seeds& seeds) {
   seeds.add("ply", "little", ply("binary_little_endian", floats() + faces));
   seeds.add("ply", "big", ply("binary_big_endian", floats() + std::string(1, '\0')));
   seeds.add("ply", "ascii", ply("ascii", "1 2 3\n-4 .5 1e-3\n7 8 nan\n3 0 1 2\n"));
-  seeds.add("las", "v1_2", las(2));
-  seeds.add("las", "v1_4", las(4));
+  seeds.add("las", "v1_2", Las{}.bytes());
+  seeds.add("las", "v1_4", Las{.minor = 4}.bytes());
   seeds.add("text_points", "plain", "1 2 3\n-4 0.5 1e-3\n# end\n");
   seeds.add("text_points", "named", "\"y\", x ,z,ox,oy,oz\n1,2,3,0,0,0\n4,5,nan,0,0,1.5\n");
   seeds.add("text_points", "counted", "2\n1;2;3\n4;5;6\n");

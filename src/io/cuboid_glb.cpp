@@ -171,9 +171,7 @@ class GlbWriter {
 
   void write_positions() {
     write_corners([&](const CellBox& cells, unsigned index) {
-      const Vector3f at = position({(index & 1U) != 0 ? cells.max.x() : cells.min.x(),
-                                    (index & 2U) != 0 ? cells.max.y() : cells.min.y(),
-                                    (index & 4U) != 0 ? cells.max.z() : cells.min.z()});
+      const Vector3f at = position(corner_of(cells, index));
       return bytes_of<float, 3>({at.x(), at.y(), at.z()});
     });
   }

@@ -178,7 +178,7 @@ std::unique_ptr<ScanSource> open_scan_graph(const std::filesystem::path& file,
   refuse_bag_options(file, options.bag);
   refuse_place_of_lone_file(file, options, kWhy);
   refuse_trajectory(file, options, kWhy);
-  refuse_columns(file, options);
+  refuse_columns(file, file, options);
   return std::make_unique<GraphSource>(file, options);
 }
 

@@ -42,10 +42,7 @@ Vector3d InputBoxes::size(const CellBox& cells) const {
 }
 
 Vector3d InputBoxes::corner(const CellBox& cells, unsigned index) const {
-  const Box box = lattice_.metric(cells);
-  return placed({(index & 1U) != 0 ? box.max.x() : box.min.x(),
-                 (index & 2U) != 0 ? box.max.y() : box.min.y(),
-                 (index & 4U) != 0 ? box.max.z() : box.min.z()});
+  return placed(corner_of(lattice_.metric(cells), index));
 }
 
 Vector3d InputBoxes::roll_pitch_yaw() const {

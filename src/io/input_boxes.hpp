@@ -10,6 +10,17 @@
 
 namespace rmap {
 
+/// Corner `index`, 0 to 7, of a box of metres or of cells: its bit a tells whether it is at max of
+/// axis a.
+template <class AnyBox>
+auto corner_of(const AnyBox& box, unsigned index) {
+  auto corner = box.min;
+  for (int axis = 0; axis < 3; ++axis) {
+    if ((index >> axis & 1U) != 0) corner[axis] = box.max[axis];
+  }
+  return corner;
+}
+
 /// Cuboids as boxes in the input's frame, metres. All of them are turned alike.
 class InputBoxes {
  public:
@@ -18,7 +29,7 @@ class InputBoxes {
   Vector3d center(const CellBox& cells) const;
   /// Edge lengths, along the axes of the cells.
   Vector3d size(const CellBox& cells) const;
-  /// Corner `index`, 0 to 7: its bit a tells whether it is at max of axis a of the cells.
+  /// As corner_of the cells.
   Vector3d corner(const CellBox& cells, unsigned index) const;
   /// A direction of the cells' frame.
   Vector3d direction(const Vector3d& along_cells) const { return rotation_ * along_cells; }

@@ -23,8 +23,10 @@ void refuse_bag_options(const std::filesystem::path& path, const BagReadOptions&
   refuse_option(options.to.has_value(), "to (--to)", path, kWhy);
 }
 
-void refuse_columns(const std::filesystem::path& path, const ScanReadOptions& options) {
-  refuse_option(!options.columns.empty(), "columns (--columns)", path, "it is for .bin files");
+void refuse_columns(const std::filesystem::path& path, const std::filesystem::path& file,
+                    const ScanReadOptions& options) {
+  refuse_option(!options.columns.empty() && ending_of(file) != ".bin", "columns (--columns)", path,
+                "it is for .bin files");
 }
 
 void refuse_place_of_lone_file(const std::filesystem::path& path, const ScanReadOptions& options,

@@ -15,8 +15,9 @@ void refuse_option(bool given, std::string_view what, const std::filesystem::pat
 /// The same for all that only bags have; `path` is none.
 void refuse_bag_options(const std::filesystem::path& path, const BagReadOptions& options);
 
-/// The same for names of columns, which only `.bin` files need.
-void refuse_columns(const std::filesystem::path& path, const ScanReadOptions& options);
+/// The same for names of columns, unless `file`, of what lies at `path`, is a `.bin` file.
+void refuse_columns(const std::filesystem::path& path, const std::filesystem::path& file,
+                    const ScanReadOptions& options);
 
 /// The same for a pose or an origin or end points, which lone files of points need.
 void refuse_place_of_lone_file(const std::filesystem::path& path, const ScanReadOptions& options,

@@ -145,7 +145,7 @@ std::vector<Vector3f> read_points(const std::filesystem::path& file,
   refuse_place_of_lone_file(file, options, kWhy);
   refuse_trajectory(file, options, kWhy);
   refuse_option(options.no_return.has_value(), "no_return (--no-return)", file, kWhy);
-  if (ending_of(file) != ".bin") refuse_columns(file, options);
+  refuse_columns(file, file, options);
   PointCloud cloud;
   const bool in_map = options.frame.value_or(Frame::map) == Frame::map;
   read_cloud(file, {.in_map = in_map, .offset = options.offset, .columns = options.columns}, cloud);

@@ -13,7 +13,6 @@
 #include <fmt/format.h>
 
 #include <rmap/error.hpp>
-#include <rmap/scan_files.hpp>
 
 namespace rmap {
 
@@ -31,7 +30,7 @@ void check_options(const std::filesystem::path& file, const ScanReadOptions& opt
                         "says where its beams began");
   }
   refuse_bag_options(file, options.bag);
-  if (ending_of(file) != ".bin") refuse_columns(file, options);
+  refuse_columns(file, file, options);
   if (options.sensor_pose || options.sensor_origin || options.end_points) {
     refuse_trajectory(file, options, "another option says where its beams began");
   }

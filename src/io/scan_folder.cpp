@@ -145,7 +145,7 @@ std::unique_ptr<ScanSource> open_scan_folder(const std::filesystem::path& folder
     throw Error(ErrorKind::input, fmt::format("{} holds no scans: files ending in {} are allowed",
                                               folder.string(), folder_endings()));
   }
-  if (ending_of(paths.front()) != ".bin") refuse_columns(folder, options);
+  refuse_columns(folder, paths.front(), options);
   if (options.end_points) {
     refuse_trajectory(folder, options, "end points (--end-points) need no poses");
     return open_scan_files(end_point_files(folder, std::move(paths), options), options);

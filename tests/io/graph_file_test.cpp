@@ -1,6 +1,7 @@
 #include "io/graph_file.hpp"
 
 #include "io/files.hpp"
+#include "io/scan_samples.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -10,18 +11,13 @@
 namespace rmap {
 namespace {
 
+using test::graph_vector;
 using test::raw;
 using test::write_text;
 
-std::string numbers(std::initializer_list<double> values) {
-  std::string text = raw(static_cast<std::uint32_t>(values.size()));
-  for (const double value : values) text += raw(value);
-  return text;
-}
-
 std::string node(double x, std::uint32_t id) {
-  return raw(std::uint32_t{2}) + numbers({x, 2, 3}) + numbers({4, 5, 6}) + numbers({10, 20, x}) +
-         numbers({0, 0, 0, 1}) + raw(id);
+  return raw(std::uint32_t{2}) + graph_vector({x, 2, 3}) + graph_vector({4, 5, 6}) +
+         graph_vector({10, 20, x}) + graph_vector({0, 0, 0, 1}) + raw(id);
 }
 
 std::string graph() {

@@ -1,6 +1,7 @@
 #include "io/las_file.hpp"
 
 #include "io/files.hpp"
+#include "io/scan_samples.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -11,48 +12,10 @@ namespace rmap {
 namespace {
 
 using test::expect_error;
+using test::Las;
 using test::raw;
 using test::same_bits;
 using test::write_text;
-
-struct Las {
-  int minor = 2;
-  int format = 0;
-  std::uint16_t point_size = 20;
-  std::vector<std::array<std::int32_t, 3>> points = {{{1, 2, 3}}, {{-400, 0, 1 << 30}}};
-  Vector3d scale = {0.01, 0.5, 1e-3};
-  Vector3d offset = {1000, -2000, 0};
-
-  std::string bytes() const {
-    const std::size_t header_size = minor == 4 ? 375 : 227;
-    std::string text(header_size, '\0');
-    const auto put = [&](std::size_t at, const std::string& value) {
-      text.replace(at, value.size(), value);
-    };
-    put(0, "LASF");
-    put(24, std::string(1, '\1') + static_cast<char>(minor));
-    put(94, raw(static_cast<std::uint16_t>(header_size)));
-    put(96, raw(static_cast<std::uint32_t>(header_size + 7)));  // some bytes of a record between
-    put(104, std::string(1, static_cast<char>(format)));
-    put(105, raw(point_size));
-    if (minor == 4) {
-      put(247, raw(static_cast<std::uint64_t>(points.size())));
-    } else {
-      put(107, raw(static_cast<std::uint32_t>(points.size())));
-    }
-    for (int axis = 0; axis < 3; ++axis) {
-      const auto place = static_cast<std::size_t>(8 * axis);
-      put(131 + place, raw(scale[axis]));
-      put(155 + place, raw(offset[axis]));
-    }
-    text += "records";
-    for (const auto& point : points) {
-      for (const std::int32_t value : point) text += raw(value);
-      text += std::string(point_size - 12u, '\x55');
-    }
-    return text;
-  }
-};
 
 TEST(LasFile, scales_and_shifts_in_double) {
   const test::TemporaryFolder folder;
