@@ -77,9 +77,12 @@ inline bool crosses(const Beam& beam, const Cell& cell) {
 /// proportional to their number.
 ///
 ///     for (BeamWalk walk(beam, within); walk.more(); walk.advance()) use(walk.cell());
+///
+/// With an `edge`, a power of two, it walks in the same way through cubes of that many cells,
+/// and cell() is the lowest cell of one; `within` must consist of whole cubes.
 class BeamWalk {
  public:
-  BeamWalk(const Beam& beam, const CellBox& within);
+  BeamWalk(const Beam& beam, const CellBox& within, std::int32_t edge = 1);
 
   /// Whether there is a cell; when not, neither cell() nor advance() may be called.
   bool more() const { return more_; }
@@ -95,9 +98,24 @@ class BeamWalk {
 
  private:
   double exit() const { return std::min(std::min(leave_, next_[0]), std::min(next_[1], next_[2])); }
-  void step();
+  void step() {
+    enter_ = exit();
+    if (!(enter_ < leave_)) {
+      more_ = false;
+      return;
+    }
+    // Without a branch: nothing foretells which plane comes next.
+    for (int axis = 0; axis < 3; ++axis) {
+      const bool met = next_[axis] <= enter_;
+      cell_[axis] += met ? step_[axis] : 0;
+      const double further = beam_->parameter(axis, cell_[axis] + ahead_[axis]);
+      next_[axis] = met ? further : next_[axis];
+    }
+  }
 
   const Beam* beam_;
+  Cell step_ = Cell::Zero();   ///< to the next cube on each axis
+  Cell ahead_ = Cell::Zero();  ///< to the plane ahead
   Cell cell_;
   Eigen::Vector3d next_;  ///< parameter of the plane ahead on each axis; infinite at direction 0
   double enter_ = 0;

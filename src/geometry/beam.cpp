@@ -9,20 +9,21 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-// The layer of cells in which the beam is on `axis` just after parameter t >= 0:
-// all planes with t(k) <= t lie behind it. `low` and `high` bound the answer.
-std::int32_t layer_after(const Beam& beam, int axis, double t, std::int32_t low,
-                         std::int32_t high) {
+// The layer of cubes in which the beam is on `axis` just after parameter t >= 0, by its lowest
+// plane: all planes with t(k) <= t lie behind it. `low` and `high` bound the answer.
+std::int32_t layer_after(const Beam& beam, int axis, double t, std::int32_t low, std::int32_t high,
+                         std::int32_t edge) {
   const double estimate = std::floor(beam.origin()[axis] + t * beam.direction()[axis]);
   auto layer = static_cast<std::int32_t>(
-      std::clamp(estimate, static_cast<double>(low), static_cast<double>(high)));
+                   std::clamp(estimate, static_cast<double>(low), static_cast<double>(high))) &
+               -edge;
   // The estimate is rounded; the planes' own parameters decide.
   if (beam.direction()[axis] > 0) {
-    while (layer > low && beam.parameter(axis, layer) > t) --layer;
-    while (layer < high && beam.parameter(axis, layer + 1) <= t) ++layer;
+    while (layer > low && beam.parameter(axis, layer) > t) layer -= edge;
+    while (layer < high && beam.parameter(axis, layer + edge) <= t) layer += edge;
   } else {
-    while (layer < high && beam.parameter(axis, layer + 1) > t) ++layer;
-    while (layer > low && beam.parameter(axis, layer) <= t) --layer;
+    while (layer < high && beam.parameter(axis, layer + edge) > t) layer += edge;
+    while (layer > low && beam.parameter(axis, layer) <= t) layer -= edge;
   }
   return layer;
 }
@@ -60,8 +61,10 @@ std::optional<Crossing> crossing(const Beam& beam, const CellBox& cells) {
   return part;
 }
 
-BeamWalk::BeamWalk(const Beam& beam, const CellBox& within)
-    : beam_(&beam), cell_(beam.origin_cell()), next_(Vector3d::Constant(kInfinity)) {
+BeamWalk::BeamWalk(const Beam& beam, const CellBox& within, std::int32_t edge)
+    : beam_(&beam),
+      cell_(beam.origin_cell().unaryExpr([edge](std::int32_t index) { return index & -edge; })),
+      next_(Vector3d::Constant(kInfinity)) {
   const auto part = crossing(beam, within);
   if (!part) return;
   enter_ = part->enter;
@@ -69,24 +72,13 @@ BeamWalk::BeamWalk(const Beam& beam, const CellBox& within)
   for (int axis = 0; axis < 3; ++axis) {
     const double direction = beam.direction()[axis];
     if (direction == 0) continue;
-    cell_[axis] = layer_after(beam, axis, enter_, within.min[axis], within.max[axis] - 1);
-    next_[axis] = beam.parameter(axis, direction > 0 ? cell_[axis] + 1 : cell_[axis]);
+    cell_[axis] =
+        layer_after(beam, axis, enter_, within.min[axis], within.max[axis] - edge, edge);
+    step_[axis] = direction > 0 ? edge : -edge;
+    ahead_[axis] = direction > 0 ? edge : 0;
+    next_[axis] = beam.parameter(axis, cell_[axis] + ahead_[axis]);
   }
   more_ = true;
-}
-
-void BeamWalk::step() {
-  enter_ = exit();
-  if (!(enter_ < leave_)) {
-    more_ = false;
-    return;
-  }
-  for (int axis = 0; axis < 3; ++axis) {
-    if (next_[axis] > enter_) continue;
-    const bool forward = beam_->direction()[axis] > 0;
-    cell_[axis] += forward ? 1 : -1;
-    next_[axis] = beam_->parameter(axis, forward ? cell_[axis] + 1 : cell_[axis]);
-  }
 }
 
 }  // namespace rmap

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <hwy/cache_control.h>
+#include <limits>
 
 #include <fmt/format.h>
 
@@ -9,6 +10,8 @@ namespace rmap {
 
 namespace {
 
+// So many blocks take a beam as long as the R-tree does.
+constexpr int kMostSteps = 256;
 constexpr std::size_t kCacheLine = 64 / sizeof(Value);
 
 }  // namespace
@@ -18,6 +21,33 @@ static_assert(packed_block::kMaxLength <= ValuePool::kMaxCount);
 BlockStore::BlockStore(const Options& options) : LeafStore(options, kBlockEdge), blocks_(1) {}
 
 std::unique_ptr<LeafStore> BlockStore::clone() const { return std::make_unique<BlockStore>(*this); }
+
+std::optional<LeafId> BlockStore::find(const Cell& origin) const {
+  return table_.find(origin, origins());
+}
+
+const Value* BlockStore::find_value(const Cell& cell) const {
+  const auto id = table_.find(block_origin(cell), origins());
+  return id ? packed_block::find(run(*id), block_position(cell)) : nullptr;
+}
+
+// Near the origin nearly all nodes of the R-tree may be crossed: there the beam is followed
+// from block to block. Beyond, in a map that is large and mostly empty, the R-tree is faster.
+void BlockStore::visit_along(const Beam& beam, VisitAlong visit) const {
+  if (leaf_count() == 0) return;
+  double limit = std::numeric_limits<double>::infinity();
+  BeamWalk walk(beam, leaf_bounds(), kBlockEdge);
+  for (int steps = 0; walk.more() && walk.enter() < limit; ++steps, walk.advance()) {
+    if (steps == kMostSteps) break;
+    const auto id = find(walk.cell());
+    if (id) limit = std::min(limit, visit(leaf(*id, walk.cell()), walk.enter()));
+  }
+  if (!walk.more() || walk.enter() >= limit) return;
+  LeafStore::visit_along(beam, [&, from = walk.enter()](const Leaf& leaf, double enter) {
+    if (enter >= from) limit = std::min(limit, visit(leaf, enter));
+    return limit;
+  });
+}
 
 Leaf BlockStore::leaf(LeafId id, const Cell& origin) const {
   return {.origin = origin, .edge = kBlockEdge, .content = run(id)};
@@ -35,16 +65,22 @@ void BlockStore::prefetch(LeafId id) const {
 }
 
 BytesInUse BlockStore::bytes_in_use() const {
-  return {.nodes = tree_bytes(), .blocks = blocks_.bytes_in_use(), .values = runs_.bytes_in_use()};
+  return {.nodes = tree().bytes_in_use(),
+          .blocks = blocks_.bytes_in_use() + table_.bytes_in_use(),
+          .values = runs_.bytes_in_use()};
 }
 
-LeafId BlockStore::allocate() {
+LeafId BlockStore::allocate(const Cell& origin) {
   const LeafId id = blocks_.allocate();
-  *blocks_.record(id) = {.run = kNoRun, .stamp = 0};
+  *blocks_.record(id) = {.run = kNoRun, .stamp = 0, .origin = {origin.x(), origin.y(), origin.z()}};
+  table_.add(origin, id, origins());
   return id;
 }
 
-void BlockStore::release(LeafId id) { blocks_.release(id); }
+void BlockStore::release(LeafId id) {
+  table_.remove(origins()(id), origins());
+  blocks_.release(id);
+}
 
 void BlockStore::add_cells(LeafId id, const CellMask& cells, Value value) {
   if (blocks_.record(id)->run == kNoRun) {
@@ -100,7 +136,19 @@ std::optional<std::string> BlockStore::check_storage() const {
     return fmt::format("the R-tree has {} leaf branches, but there are {} blocks", leaf_count(),
                        blocks_.size());
   }
-  return std::nullopt;
+  if (table_.size() != leaf_count()) {
+    return fmt::format("the R-tree has {} leaf branches, but the table has {} blocks",
+                       leaf_count(), table_.size());
+  }
+  std::optional<std::string> broken;
+  visit(all_cells(), [&](LeafId id, const Leaf& leaf) {
+    if (find(leaf.origin) != id) {
+      broken = fmt::format("the table does not have the block at ({}, {}, {})", leaf.origin.x(),
+                           leaf.origin.y(), leaf.origin.z());
+    }
+    return !broken.has_value();
+  });
+  return broken;
 }
 
 }  // namespace rmap

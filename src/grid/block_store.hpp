@@ -1,17 +1,24 @@
 #pragma once
 
+#include "grid/block_table.hpp"
 #include "grid/leaf_store.hpp"
 #include "grid/value_pool.hpp"
+
+#include <array>
 
 namespace rmap {
 
 /// Layout blocks: a leaf is a block of 8 x 8 x 8 cells, a mask of those that exist and
-/// values for only those, found by rank (population count), packed in one run.
+/// values for only those, found by rank (population count), packed in one run. Who asks for
+/// one block finds it in a table, not in the R-tree.
 class BlockStore final : public LeafStore {
  public:
   explicit BlockStore(const Options& options);
   std::unique_ptr<LeafStore> clone() const override;
 
+  std::optional<LeafId> find(const Cell& origin) const override;
+  const Value* find_value(const Cell& cell) const override;
+  void visit_along(const Beam& beam, VisitAlong visit) const override;
   Leaf leaf(LeafId id, const Cell& origin) const override;
   Content content(LeafId id) override;
   void prefetch(LeafId id) const override;
@@ -24,9 +31,10 @@ class BlockStore final : public LeafStore {
   struct Block {
     ValuePool::Handle run;  ///< a packed_block; none when it has no cells
     Stamp stamp;
+    std::array<std::int32_t, 3> origin;
   };
 
-  LeafId allocate() override;
+  LeafId allocate(const Cell& origin) override;
   void release(LeafId id) override;
   void add_cells(LeafId id, const CellMask& cells, Value value) override;
   void take_cells(LeafId id, const CellMask& cells) override;
@@ -39,7 +47,12 @@ class BlockStore final : public LeafStore {
   Value* run(LeafId id) { return runs_.at(blocks_.record(id)->run); }
   const Value* run(LeafId id) const { return runs_.at(blocks_.record(id)->run); }
 
+  auto origins() const {
+    return [this](LeafId id) { return Cell(blocks_.record(id)->origin.data()); };
+  }
+
   RecordPool<Block> blocks_;
+  BlockTable table_;
   ValuePool runs_;
 };
 

@@ -18,6 +18,17 @@ CellStore::CellStore(const Options& options) : LeafStore(options, 1), entries_(1
 
 std::unique_ptr<LeafStore> CellStore::clone() const { return std::make_unique<CellStore>(*this); }
 
+std::optional<LeafId> CellStore::find(const Cell& origin) const {
+  const LeafId* const id = tree().find(leaf_box(origin));
+  if (id == nullptr) return std::nullopt;
+  return *id;
+}
+
+const Value* CellStore::find_value(const Cell& cell) const {
+  const auto id = find(cell);
+  return id ? &entries_.record(*id)->value : nullptr;
+}
+
 Leaf CellStore::leaf(LeafId id, const Cell& origin) const {
   return {.origin = origin, .edge = 1, .content = &entries_.record(id)->value};
 }
@@ -29,10 +40,10 @@ LeafStore::Content CellStore::content(LeafId id) {
 void CellStore::prefetch(LeafId id) const { hwy::Prefetch(entries_.record(id)); }
 
 BytesInUse CellStore::bytes_in_use() const {
-  return {.nodes = tree_bytes(), .values = entries_.bytes_in_use()};
+  return {.nodes = tree().bytes_in_use(), .values = entries_.bytes_in_use()};
 }
 
-LeafId CellStore::allocate() {
+LeafId CellStore::allocate(const Cell& /*origin*/) {
   const LeafId id = entries_.allocate();
   *entries_.record(id) = {.stamp = 0, .value = 0};
   return id;

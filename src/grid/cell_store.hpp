@@ -13,6 +13,8 @@ class CellStore final : public LeafStore {
   explicit CellStore(const Options& options);
   std::unique_ptr<LeafStore> clone() const override;
 
+  std::optional<LeafId> find(const Cell& origin) const override;
+  const Value* find_value(const Cell& cell) const override;
   Leaf leaf(LeafId id, const Cell& origin) const override;
   Content content(LeafId id) override;
   void prefetch(LeafId id) const override;
@@ -27,7 +29,7 @@ class CellStore final : public LeafStore {
     Value value;
   };
 
-  LeafId allocate() override;
+  LeafId allocate(const Cell& origin) override;
   void release(LeafId id) override;
   void add_cells(LeafId id, const CellMask& cells, Value value) override;
   void take_cells(LeafId id, const CellMask& cells) override;

@@ -57,18 +57,6 @@ std::unique_ptr<LeafStore> LeafStore::make(const Options& options) {
 LeafStore::LeafStore(const Options& options, std::int32_t edge)
     : tree_({.max_branches = options.max_branches, .split = options.split, .leaf_edge = edge}) {}
 
-std::optional<LeafId> LeafStore::find(const Cell& origin) const {
-  const LeafId* id = tree_.find(leaf_box(origin));
-  if (id == nullptr) return std::nullopt;
-  return *id;
-}
-
-const Value* LeafStore::find_value(const Cell& cell) const {
-  const Cell origin = origin_of(cell);
-  const LeafId* id = tree_.find(leaf_box(origin));
-  return id == nullptr ? nullptr : leaf(*id, origin).find(cell);
-}
-
 bool LeafStore::visit(const CellBox& region, FunctionRef<bool(LeafId, const Leaf&)> visit) const {
   Lookahead ahead(*this, visit);
   return tree_.overlapping(region, [&](const CellBox& box, LeafId id) {
@@ -92,8 +80,7 @@ void LeafStore::visit_where(const Part& part, FunctionRef<bool(const CellBox&)> 
   tree_.descend(part, enter, [&](const CellBox& box, LeafId id) { visit(id, leaf(id, box.min)); });
 }
 
-void LeafStore::visit_along(const Beam& beam,
-                            FunctionRef<double(const Leaf&, double enter)> visit) const {
+void LeafStore::visit_along(const Beam& beam, VisitAlong visit) const {
   tree_.crossed_until(beam, [&](const CellBox& box, LeafId id, double enter) {
     return visit(leaf(id, box.min), enter);
   });
@@ -113,7 +100,7 @@ CellMask LeafStore::add_missing(LeafId id, const CellMask& cells, Value value) {
 }
 
 void LeafStore::add_leaves(std::span<MarkedLeaf> leaves, Value value) {
-  for (MarkedLeaf& leaf : leaves) leaf.id = allocate();
+  for (MarkedLeaf& leaf : leaves) leaf.id = allocate(leaf.origin);
   enter(leaves);
   for (const MarkedLeaf& leaf : leaves) add_cells(leaf.id, leaf.cells, value);
 }

@@ -50,9 +50,9 @@ class LeafStore {
 
   // --- Reading ---------------------------------------------------------------
 
-  std::optional<LeafId> find(const Cell& origin) const;
+  virtual std::optional<LeafId> find(const Cell& origin) const = 0;
   /// Value of a cell, null where it does not exist.
-  const Value* find_value(const Cell& cell) const;
+  virtual const Value* find_value(const Cell& cell) const = 0;
   virtual Leaf leaf(LeafId id, const Cell& origin) const = 0;
 
   /// Visits return false when `visit` did.
@@ -65,7 +65,10 @@ class LeafStore {
   /// The leaves of a part whose boxes, and all nodes around them, `enter` accepts.
   void visit_where(const Part& part, FunctionRef<bool(const CellBox&)> enter,
                    FunctionRef<void(LeafId, const Leaf&)> visit) const;
-  void visit_along(const Beam& beam, FunctionRef<double(const Leaf&, double enter)> visit) const;
+  /// The leaves that a beam crosses, in no exact order, until they enter beyond the limit that
+  /// `visit` answers with, as RTree::crossed_until.
+  using VisitAlong = FunctionRef<double(const Leaf&, double enter)>;
+  virtual void visit_along(const Beam& beam, VisitAlong visit) const;
 
   std::size_t leaf_count() const { return tree_.size(); }
   /// All leaf ids are below.
@@ -107,11 +110,14 @@ class LeafStore {
   LeafStore(const Options& options, std::int32_t edge);
   LeafStore(const LeafStore&) = default;
 
-  std::size_t tree_bytes() const { return tree_.bytes_in_use(); }
+  const RTree<LeafId>& tree() const { return tree_; }
+  CellBox leaf_box(const Cell& origin) const {
+    return {.min = origin, .max = origin + Cell::Constant(edge())};
+  }
 
  private:
   /// A new leaf without cells.
-  virtual LeafId allocate() = 0;
+  virtual LeafId allocate(const Cell& origin) = 0;
   /// Frees a leaf without cells.
   virtual void release(LeafId id) = 0;
   /// Adds cells that the leaf does not have, with `value`.
@@ -119,10 +125,6 @@ class LeafStore {
   /// Takes cells that the leaf has.
   virtual void take_cells(LeafId id, const CellMask& cells) = 0;
   virtual std::optional<std::string> check_storage() const = 0;
-
-  CellBox leaf_box(const Cell& origin) const {
-    return {.min = origin, .max = origin + Cell::Constant(edge())};
-  }
 
   /// Enters new leaves in the R-tree.
   void enter(std::span<const MarkedLeaf> leaves);

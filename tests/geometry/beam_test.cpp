@@ -92,6 +92,50 @@ TEST_P(NastyBeams, WalkInsideABoxMeetsThatPartOfTheBeam) {
   EXPECT_GT(met, 50);
 }
 
+// Cubes of cells are crossed by the rule of boxes: with their outer planes.
+TEST_P(NastyBeams, WalkThroughCubesMeetsThoseThatAreCrossed) {
+  const auto kind = static_cast<BeamKind>(GetParam());
+  Random random(250 + static_cast<std::uint64_t>(GetParam()));
+  SCOPED_TRACE(random.trace());
+  std::size_t met = 0;
+  for (int i = 0; i < 400; ++i) {
+    const std::int32_t edge = 1 << random.integer(1, 3);
+    // Limits far out, too, where a double has few bits left for the place within a cell.
+    const double far = i % 4 == 0 ? 0x1p30 - 64 : i % 4 == 1 ? -0x1p30 + 64 : 0;
+    const BeamEnds ends = nasty_beam(kind, random, 3 * edge, Vector3d::Constant(far));
+    const Beam beam(ends.origin, ends.end, random.chance(0.5));
+    const Cell middle = Cell::Constant(static_cast<std::int32_t>(far));
+    const CellBox within = {
+        .min = middle + edge * random.cell(-5, 0),
+        .max = middle + edge * random.cell(1, 5),
+    };
+    std::vector<Cell> expected;
+    for (std::int32_t x = within.min.x(); x < within.max.x(); x += edge) {
+      for (std::int32_t y = within.min.y(); y < within.max.y(); y += edge) {
+        for (std::int32_t z = within.min.z(); z < within.max.z(); z += edge) {
+          const Cell low(x, y, z);
+          if (crossing(beam, {.min = low, .max = low + Cell::Constant(edge)})) {
+            expected.push_back(low);
+          }
+        }
+      }
+    }
+    std::vector<Cell> cubes;
+    double before = -1;
+    for (BeamWalk walk(beam, within, edge); walk.more(); walk.advance()) {
+      const Cell low = walk.cell();
+      ASSERT_EQ(walk.enter(), crossing(beam, {.min = low, .max = low + Cell::Constant(edge)})->enter);
+      ASSERT_LT(before, walk.enter());
+      before = walk.enter();
+      cubes.push_back(low);
+    }
+    ASSERT_EQ(sorted(cubes), sorted(expected)) << "from " << ends.origin.transpose() << " to "
+                                               << ends.end.transpose();
+    met += cubes.size();
+  }
+  EXPECT_GT(met, 50U);
+}
+
 // Far from zero a double has few bits left for the place within a cell.
 TEST_P(NastyBeams, AgreesNearTheLimitsOfIndices) {
   const auto kind = static_cast<BeamKind>(GetParam());

@@ -136,6 +136,45 @@ TEST_P(CastRayInLayout, StartsInTheCellOfItsOrigin) {
   EXPECT_EQ(back->face, Face::max_x);
 }
 
+// Rays through more blocks than are followed one by one.
+TEST_P(CastRayInLayout, FindsWhatLiesFarAway) {
+  Random random(85);
+  SCOPED_TRACE(random.trace());
+  int hits = 0;
+  int misses = 0;
+  for (int round = 0; round < 40; ++round) {
+    Grid grid({.resolution = 1, .layout = GetParam()});
+    // Targets, and what a search from block to block has on the way to them.
+    std::vector<Vector3d> targets;
+    for (int i = 0; i < 60; ++i) {
+      const Vector3d target = random.direction() * random.real(10, 6000);
+      grid.set(grid.lattice().cell_of(target), random.chance(0.5) ? 0.9 : 0.2);
+      targets.push_back(target);
+    }
+    for (const Vector3d& target : targets) {
+      const Vector3d origin = random.point(-3, 3);
+      // As cast_ray computes its end: one that lies beyond the target, within the bounds.
+      const double range = (target - origin).norm() + 3;
+      const Box bounds = grid.lattice().metric(grid.block_bounds());
+      const double reach =
+          (bounds.min - origin).cwiseAbs().cwiseMax((bounds.max - origin).cwiseAbs()).norm();
+      if (reach < range) continue;
+      const Vector3d along = target - origin;
+      const Vector3d scaled = along / along.cwiseAbs().maxCoeff();
+      const auto expected = walked_hit(grid, origin, origin + scaled / scaled.norm() * range);
+      const auto hit = cast_ray(grid, origin, along, range);
+      ASSERT_EQ(hit.has_value(), expected.has_value()) << target.transpose();
+      if (hit) {
+        ASSERT_EQ(hit->cell, *expected);
+      }
+      hits += hit ? 1 : 0;
+      misses += hit ? 0 : 1;
+    }
+  }
+  EXPECT_GT(hits, 500);
+  EXPECT_GT(misses, 500);
+}
+
 TEST(CastRay, IsTheSameInBothLayouts) {
   Random random(84);
   SCOPED_TRACE(random.trace());
