@@ -8,6 +8,8 @@ namespace rmap {
 struct EndBlocks {
   alignas(64) std::array<std::uint32_t, PointTile::kSize> hash;      ///< BlockMarks::hash_of
   alignas(64) std::array<std::uint32_t, PointTile::kSize> position;  ///< block_position
+  /// Where the cell is another than that of the place before; the first places always.
+  PointTile::Mask changed;
 };
 
 /// Computes them for all places that hold a point.

@@ -24,16 +24,19 @@ class BlockMarks {
   /// Hash of a block's lowest cell.
   static std::uint32_t hash_of(const Cell& origin) { return CellPlaces::hash_of(origin); }
 
-  void add(const Cell& cell) {
+  /// Returns the place in blocks() of the cell's block.
+  std::uint32_t add(const Cell& cell) {
     const Cell origin = block_origin(cell);
-    add(origin, hash_of(origin), block_position(cell));
+    return add(origin, hash_of(origin), block_position(cell));
   }
-  void add(const Cell& origin, std::uint32_t hash, BlockPosition position) {
-    at(origin, hash).set(position);
+  std::uint32_t add(const Cell& origin, std::uint32_t hash, BlockPosition position) {
+    const std::uint32_t place = place_of(origin, hash);
+    blocks_[place].cells.set(position);
+    return place;
   }
   void add(const BlockMarks& other) {
     for (const Block& block : other.blocks_) {
-      at(block.origin, hash_of(block.origin)) |= block.cells;
+      blocks_[place_of(block.origin, hash_of(block.origin))].cells |= block.cells;
     }
   }
 
@@ -43,17 +46,6 @@ class BlockMarks {
   }
   /// The blocks with marks, in the order in which they got the first.
   const std::vector<Block>& blocks() const { return blocks_; }
-  /// Holds all blocks with marks.
-  CellBox bounds() const {
-    if (blocks_.empty()) return {};
-    Cell low = blocks_.front().origin;
-    Cell high = low;
-    for (const Block& block : blocks_) {
-      low = low.cwiseMin(block.origin);
-      high = high.cwiseMax(block.origin);
-    }
-    return {.min = low, .max = high + Cell::Constant(kBlockEdge)};
-  }
   /// Number of cells.
   std::uint64_t count() const {
     std::uint64_t count = 0;
@@ -62,10 +54,10 @@ class BlockMarks {
   }
 
  private:
-  CellMask& at(const Cell& origin, std::uint32_t hash) {
+  std::uint32_t place_of(const Cell& origin, std::uint32_t hash) {
     const std::uint32_t place = places_.add(origin, hash, origin_at());
     if (place == blocks_.size()) blocks_.push_back({origin, {}});
-    return blocks_[place].cells;
+    return place;
   }
 
   CellPlaces places_;

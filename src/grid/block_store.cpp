@@ -26,6 +26,11 @@ std::optional<LeafId> BlockStore::find(const Cell& origin) const {
   return table_.find(origin, origins());
 }
 
+void BlockStore::visit_block(const Cell& block,
+                             FunctionRef<void(LeafId, const Cell& origin)> visit) const {
+  if (const auto id = find(block)) visit(*id, block);
+}
+
 const Value* BlockStore::find_value(const Cell& cell) const {
   const auto id = table_.find(block_origin(cell), origins());
   return id ? packed_block::find(run(*id), block_position(cell)) : nullptr;
@@ -88,14 +93,20 @@ void BlockStore::add_cells(LeafId id, const CellMask& cells, Value value) {
     return;
   }
   const auto [before, old_values] = content(id);
-  std::array<Value, kBlockCells> kept;
-  std::copy_n(old_values, before.count(), kept.begin());
+  std::array<Value, kBlockCells + 1> kept;
+  const std::uint32_t count = before.count();
+  std::copy_n(old_values, count, kept.begin());
+  kept[count] = value;  // is read once more when all old ones have been taken
   CellMask after = before;
   after |= cells;
-  const Value* next_old = kept.data();
-  Value* next = replace(id, before, after);
-  after.for_each([&, old_cells = before](BlockPosition position) {
-    *next++ = old_cells.test(position) ? *next_old++ : value;
+  Value* const values = replace(id, before, after);
+  // Without a branch: nothing foretells which cells are new.
+  after.for_each([&, old_cells = before, next_old = kept.data(), next = values](
+                     BlockPosition position) mutable {
+    const bool is_old = old_cells.test(position);
+    const Value old = *next_old;
+    *next++ = is_old ? old : value;
+    next_old += is_old ? 1 : 0;
   });
 }
 

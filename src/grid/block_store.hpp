@@ -17,6 +17,8 @@ class BlockStore final : public LeafStore {
   std::unique_ptr<LeafStore> clone() const override;
 
   std::optional<LeafId> find(const Cell& origin) const override;
+  void visit_block(const Cell& block,
+                   FunctionRef<void(LeafId, const Cell& origin)> visit) const override;
   const Value* find_value(const Cell& cell) const override;
   void visit_along(const Beam& beam, VisitAlong visit) const override;
   Leaf leaf(LeafId id, const Cell& origin) const override;

@@ -24,6 +24,12 @@ std::optional<LeafId> CellStore::find(const Cell& origin) const {
   return *id;
 }
 
+void CellStore::visit_block(const Cell& block,
+                            FunctionRef<void(LeafId, const Cell& origin)> visit) const {
+  tree().overlapping({.min = block, .max = block + Cell::Constant(kBlockEdge)},
+                     [&](const CellBox& box, LeafId id) { visit(id, box.min); });
+}
+
 const Value* CellStore::find_value(const Cell& cell) const {
   const auto id = find(cell);
   return id ? &entries_.record(*id)->value : nullptr;

@@ -57,7 +57,8 @@ EndCells gather_end_cells(const ScanBeams& beams, std::span<const BeamGroup> gro
       for_each_tile(group, begin, end, loader, [&](const PointTile& tile, std::size_t place) {
         EndBlocks blocks;
         find_end_blocks(tile, blocks);
-        tile.ends.for_each([&](std::size_t i) {
+        // Neighbours often end in one cell.
+        tile.ends.run_starts(blocks.changed).for_each([&](std::size_t i) {
           share.ends.cells.add(block_origin(tile.cell_of(i)), blocks.hash[i], blocks.position[i]);
         });
         share.ends.inserted += tile.ends.count();

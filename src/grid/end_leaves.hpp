@@ -50,12 +50,13 @@ class EndLeaves {
         }
       }
     }
-    /// use(origin, cells) for the leaves that are left.
-    template <class Use>
-    void for_each(const Use& use) const {
+    /// The blocks that have some left, with those.
+    std::vector<BlockMarks::Block> blocks() const {
+      std::vector<BlockMarks::Block> blocks;
       for (std::uint32_t i = 0; i < left_.size(); ++i) {
-        if (!left_[i].none()) all_.store_.for_each_leaf_of(all_.origin(i), left_[i], use);
+        if (!left_[i].none()) blocks.push_back({all_.origin(i), left_[i]});
       }
+      return blocks;
     }
 
    private:

@@ -10,6 +10,7 @@
 #include "grid/scan_beams.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <numeric>
 
 #include <rmap/grid.hpp>
@@ -47,10 +48,11 @@ class Grid::Implementation {
   /// Makes cells of existing leaves exist, new ones with `value`; note(id, origin, new cells).
   template <class Note>
   void add_missing(std::span<const MarkedLeaf> leaves, Value value, const Note& note);
-  /// Makes leaves that do not exist, with `value` in their cells, and sets their ids; notes as
-  /// above. They are sorted first: the R-tree grows alike whatever the order of the points.
+  /// Makes the leaves of cells in blocks, none of which exists, with `value`; notes as above.
+  /// They are sorted first: the R-tree grows alike whatever the order of the points.
   template <class Note>
-  void enter_missing(std::vector<MarkedLeaf>& leaves, Value value, const Note& note);
+  std::vector<MarkedLeaf> enter_missing(std::vector<BlockMarks::Block> blocks, Value value,
+                                        const Note& note);
 
   /// What the beams of a scan did.
   struct Updates {
@@ -101,13 +103,20 @@ void Grid::Implementation::add_missing(std::span<const MarkedLeaf> leaves, Value
 }
 
 template <class Note>
-void Grid::Implementation::enter_missing(std::vector<MarkedLeaf>& leaves, Value value,
-                                         const Note& note) {
-  std::sort(leaves.begin(), leaves.end(), [](const MarkedLeaf& a, const MarkedLeaf& b) {
-    return morton_less(a.origin, b.origin);
-  });
+std::vector<MarkedLeaf> Grid::Implementation::enter_missing(std::vector<BlockMarks::Block> blocks,
+                                                            Value value, const Note& note) {
+  std::sort(blocks.begin(), blocks.end(),
+            [](const auto& a, const auto& b) { return morton_less(a.origin, b.origin); });
+  std::vector<MarkedLeaf> leaves;
+  for (const BlockMarks::Block& block : blocks) {
+    store->for_each_leaf_of(block.origin, block.cells, [&](const Cell& origin, const CellMask& c) {
+      assert(!store->find(origin));
+      leaves.push_back({0, origin, c});
+    });
+  }
   store->add_leaves(leaves, value);
   for (const MarkedLeaf& leaf : leaves) note(leaf.id, leaf.origin, leaf.cells);
+  return leaves;
 }
 
 template <class Change>

@@ -1,53 +1,35 @@
 #include "grid/beam_groups.hpp"
 #include "grid/end_cells.hpp"
-#include "grid/end_leaves.hpp"
 #include "grid/implementation.hpp"
 #include "grid/missed_cells.hpp"
 #include "grid/scan_beams.hpp"
 
+#include <utility>
+
 namespace rmap {
 
-namespace {
-
-// Leaves that can be gone over in the time of a search for one.
-constexpr std::size_t kLeavesPerSearch = 8;
-
-}  // namespace
-
 Grid::Implementation::Ensured Grid::Implementation::ensure(const BlockMarks& cells) {
-  const EndLeaves end_leaves(*store, cells);
-  EndLeaves::Rest rest(end_leaves);
   Ensured ensured;
-  // In a map that is small beside the scan, going over the leaves costs less than searches.
-  const bool goes_over = store->leaf_count() < kLeavesPerSearch * cells.blocks().size();
-  if (goes_over) {
-    std::vector<EndLeaves::Met> all_met;
-    store->visit(cells.bounds(), [&](LeafId id, const Leaf& leaf) {
-      EndLeaves::Met met;
-      if (const CellMask* const ends = end_leaves.find(leaf, met)) {
-        ensured.leaves.push_back({id, leaf.origin, *ends});
-        all_met.push_back(met);
+  std::vector<BlockMarks::Block> missing;
+  for (const BlockMarks::Block& block : cells.blocks()) {
+    CellMask left = block.cells;
+    store->visit_block(block.origin, [&](LeafId id, const Cell& origin) {
+      if (store->edge() == kBlockEdge) {
+        ensured.leaves.push_back({id, origin, left});
+        left = {};
+      } else if (const BlockPosition position = block_position(origin); left.test(position)) {
+        ensured.leaves.push_back({id, origin, CellMask::single(0)});
+        left.reset(position);
       }
-      return true;
     });
-    rest.take(all_met);
+    if (!left.none()) missing.push_back({block.origin, left});
   }
-  std::vector<MarkedLeaf> missing;
-  rest.for_each([&](const Cell& origin, const CellMask& marks) {
-    const auto id = goes_over ? std::nullopt : store->find(origin);
-    if (id) {
-      ensured.leaves.push_back({*id, origin, marks});
-    } else {
-      missing.push_back({0, origin, marks});
-    }
-  });
-
   const auto note = [&](LeafId id, const Cell& origin, const CellMask& created) {
     ensured.new_cells += note_new_cells(id, origin, created, rule.prior());
   };
   add_missing(ensured.leaves, rule.prior(), note);
-  enter_missing(missing, rule.prior(), note);
-  ensured.leaves.insert(ensured.leaves.end(), missing.begin(), missing.end());
+  const auto entered = enter_missing(std::move(missing), rule.prior(), note);
+  ensured.leaves.insert(ensured.leaves.end(), entered.begin(), entered.end());
   return ensured;
 }
 

@@ -58,18 +58,8 @@ Grid::Implementation::Updates Grid::Implementation::insert_inversely(const ScanB
     add_missing(share.grown, first_hit, note);
     rest.take(share.met);
   }
-  std::vector<MarkedLeaf> missing;
-  rest.for_each([&](const Cell& origin, const CellMask& cells) {
-    if (const auto id = store->find(origin)) {
-      // Out of view: beams without a direction end there.
-      const CellMask created = store->add_missing(*id, cells, first_hit);
-      updates.hits += update(*id, origin, cells.without(created), {}, hit);
-      note(*id, origin, created);
-    } else {
-      missing.push_back({0, origin, cells});
-    }
-  });
-  enter_missing(missing, first_hit, note);
+  // Leaves that are there are in view, and were met.
+  enter_missing(rest.blocks(), first_hit, note);
   return updates;
 }
 

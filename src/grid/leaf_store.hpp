@@ -51,6 +51,9 @@ class LeafStore {
   // --- Reading ---------------------------------------------------------------
 
   virtual std::optional<LeafId> find(const Cell& origin) const = 0;
+  /// The leaves that lie in the block at `block`.
+  virtual void visit_block(const Cell& block,
+                           FunctionRef<void(LeafId, const Cell& origin)> visit) const = 0;
   /// Value of a cell, null where it does not exist.
   virtual const Value* find_value(const Cell& cell) const = 0;
   virtual Leaf leaf(LeafId id, const Cell& origin) const = 0;

@@ -34,6 +34,17 @@ class TileMask {
       }
     }
   }
+  /// The places of the set but those that follow one of the set and are not in `changed`.
+  TileMask run_starts(const TileMask& changed) const {
+    TileMask starts;
+    std::uint64_t before = 0;
+    for (std::size_t word = 0; word < words_.size(); ++word) {
+      const std::uint64_t follows = words_[word] << 1 | before;
+      starts.words_[word] = words_[word] & (changed.words_[word] | ~follows);
+      before = words_[word] >> 63;
+    }
+    return starts;
+  }
   /// The first `count` places that are not in the set.
   TileMask missing(std::size_t count) const {
     TileMask rest;

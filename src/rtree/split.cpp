@@ -12,10 +12,45 @@ namespace {
 
 constexpr double kLowest = -std::numeric_limits<double>::infinity();
 
+/// One number for each box.
+using Column = std::array<double, kMaxBranches + 1>;
+
 double volume_of(const CellBox& box) {
   const Eigen::Array3d edges = box.max.cast<double>() - box.min.cast<double>();
   return (edges.x() * edges.y()) * edges.z();
 }
+
+/// The boxes by columns, so that compilers find vectors in loops over them.
+class BoxColumns {
+ public:
+  explicit BoxColumns(std::span<const CellBox> boxes) : count_(boxes.size()) {
+    for (std::size_t i = 0; i < count_; ++i) {
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        low_[axis][i] = boxes[i].min[static_cast<Eigen::Index>(axis)];
+        high_[axis][i] = boxes[i].max[static_cast<Eigen::Index>(axis)];
+      }
+    }
+  }
+  /// The volumes of the smallest boxes that hold `box` and each one from `first` on.
+  void united_volumes(const CellBox& box, std::size_t first, Column& volumes) const {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const double low = box.min[static_cast<Eigen::Index>(axis)];
+      const double high = box.max[static_cast<Eigen::Index>(axis)];
+      const Column& lows = low_[axis];
+      const Column& highs = high_[axis];
+      for (std::size_t i = first; i < count_; ++i) {
+        const double from = lows[i] < low ? lows[i] : low;
+        const double to = highs[i] > high ? highs[i] : high;
+        volumes[i] = axis == 0 ? to - from : volumes[i] * (to - from);
+      }
+    }
+  }
+
+ private:
+  std::size_t count_;
+  std::array<Column, 3> low_;
+  std::array<Column, 3> high_;
+};
 
 struct Seeds {
   std::size_t first;
@@ -23,14 +58,16 @@ struct Seeds {
 };
 
 /// The pair that would waste most volume if one node held both (Guttman's PickSeeds).
-Seeds most_wasteful(std::span<const CellBox> boxes) {
+Seeds most_wasteful(std::span<const CellBox> boxes, const BoxColumns& columns) {
   Seeds seeds{0, 1};
   double most = kLowest;
-  std::array<double, kMaxBranches + 1> volumes;
+  Column volumes;
   for (std::size_t i = 0; i < boxes.size(); ++i) volumes[i] = volume_of(boxes[i]);
   for (std::size_t i = 0; i + 1 < boxes.size(); ++i) {
+    Column united;
+    columns.united_volumes(boxes[i], i + 1, united);
     for (std::size_t j = i + 1; j < boxes.size(); ++j) {
-      const double waste = (volume_of(united(boxes[i], boxes[j])) - volumes[i]) - volumes[j];
+      const double waste = (united[j] - volumes[i]) - volumes[j];
       if (waste > most) {
         most = waste;
         seeds = {i, j};
@@ -72,7 +109,8 @@ Seeds farthest_apart(std::span<const CellBox> boxes) {
 /// Gives the boxes to the two groups one by one, after the seeds.
 class Distribution {
  public:
-  Distribution(std::span<const CellBox> boxes, Seeds seeds) : boxes_(boxes) {
+  Distribution(std::span<const CellBox> boxes, const BoxColumns& columns, Seeds seeds)
+      : boxes_(boxes), columns_(columns) {
     groups_[0] = {boxes[seeds.first], volume_of(boxes[seeds.first]), 1};
     groups_[1] = {boxes[seeds.second], volume_of(boxes[seeds.second]), 1};
     partition_[seeds.second] = true;
@@ -140,13 +178,11 @@ class Distribution {
   };
 
   const Group& at(int group) const { return groups_[static_cast<std::size_t>(group)]; }
-  /// How much the group would grow to hold each box that is left.
+  /// How much the group would grow to hold each box.
   void measure(int group) {
-    for (std::size_t position = 0; position < left_count_; ++position) {
-      const std::size_t box = left_[position];
-      enlargement_[static_cast<std::size_t>(group)][box] =
-          volume_of(united(at(group).bounds, boxes_[box])) - at(group).volume;
-    }
+    Column& enlargement = enlargement_[static_cast<std::size_t>(group)];
+    columns_.united_volumes(at(group).bounds, 0, enlargement);
+    for (std::size_t i = 0; i < boxes_.size(); ++i) enlargement[i] -= at(group).volume;
   }
   int preferred(std::size_t box) const {
     const double first = enlargement_[0][box];
@@ -157,8 +193,9 @@ class Distribution {
   }
 
   std::span<const CellBox> boxes_;
+  const BoxColumns& columns_;
   std::array<Group, 2> groups_;
-  std::array<std::array<double, kMaxBranches + 1>, 2> enlargement_;  // by group and box
+  std::array<Column, 2> enlargement_;  // by group and box
   std::array<std::size_t, kMaxBranches + 1> left_;
   std::size_t left_count_ = 0;
   Partition partition_{};
@@ -170,7 +207,9 @@ Partition partition(std::span<const CellBox> boxes, int min_branches, Split spli
   assert(boxes.size() >= 2 && boxes.size() <= kMaxBranches + 1);
   assert(boxes.size() >= 2 * static_cast<std::size_t>(min_branches));
   const bool quadratic = split == Split::quadratic;
-  Distribution distribution(boxes, quadratic ? most_wasteful(boxes) : farthest_apart(boxes));
+  const BoxColumns columns(boxes);
+  Distribution distribution(boxes, columns,
+                            quadratic ? most_wasteful(boxes, columns) : farthest_apart(boxes));
   while (!distribution.done()) {
     const int starving = distribution.starving(min_branches);
     if (starving >= 0) {

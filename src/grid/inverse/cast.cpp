@@ -54,16 +54,16 @@ Cast::Cast(const LeafStore& store, const ScanBeams& beams, const BeamIndex& inde
 }
 
 void Cast::run(HitIn hit_in, Crossed crossed) const {
-  if (store_.edge() == kBlockEdge) {
-    run_by_block(hit_in, crossed);
-  } else {
-    run_by_cell(hit_in, crossed);
-  }
+  for_each_range(static_cast<int>(ranges_), parts_.size(),
+                 [&](std::size_t range, std::size_t begin, std::size_t end) {
+                   const auto parts = std::span(parts_).subspan(begin, end - begin);
+                   if (store_.edge() == 1) return run_by_cell(range, parts, hit_in, crossed);
+                   for (const auto& part : parts) run_by_block(range, part, hit_in, crossed);
+                 });
 }
 
 bool Cast::may_enter(const CellBox& box) const {
-  return index_.may_reach(box) ||
-         (index_.has_cut_at_origin() && box.contains(index_.beams().origin_cell));
+  return index_.may_reach(box) || box.contains(index_.beams().origin_cell);
 }
 
 CellMask Cast::crossed_in(const Cell& block, const CellMask& asked) const {
@@ -77,56 +77,46 @@ CellMask Cast::crossed_in(const Cell& block, const CellMask& asked) const {
   return crossed;
 }
 
-// use(range, id, leaf, cells that are to be asked) for the leaves that have some.
-template <class Use>
-void Cast::for_each_in_view(HitIn hit_in, const Use& use) const {
-  for_each_range(
-      static_cast<int>(ranges_), parts_.size(),
-      [&](std::size_t range, std::size_t begin, std::size_t end) {
-        for (const LeafStore::Part& part : std::span(parts_).subspan(begin, end - begin)) {
-          store_.visit_where(
-              part, [&](const CellBox& box) { return may_enter(box); },
-              [&](LeafId id, const Leaf& leaf) {
-                const CellMask open = open_cells(leaf, hit_in(range, id, leaf), rule_);
-                if (!open.none()) use(range, id, leaf, open);
-              });
-        }
+void Cast::run_by_block(std::size_t range, const LeafStore::Part& part, HitIn hit_in,
+                        Crossed crossed) const {
+  store_.visit_where(
+      part, [&](const CellBox& box) { return may_enter(box); },
+      [&](LeafId id, const Leaf& leaf) {
+        const CellMask open = open_cells(leaf, hit_in(range, id, leaf), rule_);
+        if (open.none()) return;
+        const CellMask cells = crossed_in(leaf.origin, open);
+        if (!cells.none()) crossed(range, id, leaf.origin, cells);
       });
 }
 
-void Cast::run_by_block(HitIn hit_in, Crossed crossed) const {
-  for_each_in_view(hit_in,
-                   [&](std::size_t range, LeafId id, const Leaf& leaf, const CellMask& open) {
-                     const CellMask cells = crossed_in(leaf.origin, open);
-                     if (!cells.none()) crossed(range, id, leaf.origin, cells);
-                   });
-}
-
-// Leaves of one cell are asked together with the others of their block.
-void Cast::run_by_cell(HitIn hit_in, Crossed crossed) const {
+// Leaves of one cell are asked together with the others of their block. Only nodes are culled:
+// to ask of a single cell whether it is in view takes as long as to cast it.
+void Cast::run_by_cell(std::size_t range, std::span<const LeafStore::Part> parts, HitIn hit_in,
+                       Crossed crossed) const {
   struct Found {
     LeafId id;
+    std::uint32_t block;  ///< its place in `asked`
     Cell cell;
   };
-  std::vector<std::vector<Found>> found(ranges_);
-  for_each_in_view(hit_in, [&](std::size_t range, LeafId id, const Leaf& leaf, const CellMask&) {
-    found[range].push_back({id, leaf.origin});
-  });
+  std::vector<Found> found;
   BlockMarks asked;
-  for (const auto& part : found) {
-    for (const Found& leaf : part) asked.add(leaf.cell);
+  for (const LeafStore::Part& part : parts) {
+    store_.visit_where(
+        part,
+        [&](const CellBox& box) { return box.max.x() - box.min.x() == 1 || may_enter(box); },
+        [&](LeafId id, const Leaf& leaf) {
+          if (hit_in(range, id, leaf) != nullptr || rule_.settled(*leaf.values())) return;
+          found.push_back({id, asked.add(leaf.origin), leaf.origin});
+        });
   }
-  std::vector<CellMask> cells(asked.blocks().size());
-  for_each_range(threads_, cells.size(), [&](std::size_t, std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) {
-      cells[i] = crossed_in(asked.blocks()[i].origin, asked.blocks()[i].cells);
-    }
-  });
-  for (std::size_t range = 0; range < ranges_; ++range) {
-    for (const Found& leaf : found[range]) {
-      if (cells[*asked.find(block_origin(leaf.cell))].test(block_position(leaf.cell))) {
-        crossed(range, leaf.id, leaf.cell, CellMask::single(0));
-      }
+  std::vector<CellMask> cells;
+  cells.reserve(asked.blocks().size());
+  for (const BlockMarks::Block& block : asked.blocks()) {
+    cells.push_back(crossed_in(block.origin, block.cells));
+  }
+  for (const Found& leaf : found) {
+    if (cells[leaf.block].test(block_position(leaf.cell))) {
+      crossed(range, leaf.id, leaf.cell, CellMask::single(0));
     }
   }
 }

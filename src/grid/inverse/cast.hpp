@@ -19,7 +19,7 @@ namespace rmap {
 class Cast {
  public:
   /// The cells of a leaf in view that the scan hits, null for none. Each leaf in view
-  /// comes once; its values may be changed, its cells not.
+  /// comes once, those with end cells among them; its values may be changed, its cells not.
   using HitIn = FunctionRef<const CellMask*(std::size_t range, LeafId id, const Leaf& leaf)>;
   /// The cells of a leaf that beams cross, at least one; each leaf at most once, after HitIn.
   using Crossed =
@@ -35,12 +35,13 @@ class Cast {
   void run(HitIn hit_in, Crossed crossed) const;
 
  private:
+  // Whether a beam may cross the box or end there, those without a direction included.
   bool may_enter(const CellBox& box) const;
   CellMask crossed_in(const Cell& block, const CellMask& asked) const;
-  template <class Use>
-  void for_each_in_view(HitIn hit_in, const Use& use) const;
-  void run_by_block(HitIn hit_in, Crossed crossed) const;
-  void run_by_cell(HitIn hit_in, Crossed crossed) const;
+  void run_by_block(std::size_t range, const LeafStore::Part& part, HitIn hit_in,
+                    Crossed crossed) const;
+  void run_by_cell(std::size_t range, std::span<const LeafStore::Part> parts, HitIn hit_in,
+                   Crossed crossed) const;
 
   const LeafStore& store_;
   const ScanBeams& beams_;
