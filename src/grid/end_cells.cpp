@@ -44,6 +44,9 @@ EndCells gather_end_cells(const ScanBeams& beams, std::span<const BeamGroup> gro
                           BeamIndex* index) {
   const int threads = beams.options().threads;
   const bool chooses = beams.options().beams == Beams::per_end_cell;
+  const TileDetail detail = chooses            ? TileDetail::ends
+                            : index != nullptr ? TileDetail::directions
+                                               : TileDetail::cells;
   std::size_t ranges = 1;
   for (const BeamGroup& group : groups) ranges = std::max(ranges, ranges_of(group, threads));
   std::vector<Share> shares(ranges);
@@ -53,7 +56,7 @@ EndCells gather_end_cells(const ScanBeams& beams, std::span<const BeamGroup> gro
   for (const BeamGroup& group : groups) {
     for_each_range_of(group, threads, [&](std::size_t range, std::size_t begin, std::size_t end) {
       Share& share = shares[range];
-      TileLoader loader(beams, group.origin);
+      TileLoader loader(beams, group.origin, detail);
       for_each_tile(group, begin, end, loader, [&](const PointTile& tile, std::size_t place) {
         EndBlocks blocks;
         find_end_blocks(tile, blocks);
@@ -97,7 +100,7 @@ BeamIndex index_for(const ScanBeams& beams, const BeamGroup& group) {
 void index_beams(const ScanBeams& beams, const BeamGroup& group, BeamIndex& index) {
   for_each_range_of(
       group, beams.options().threads, [&](std::size_t range, std::size_t begin, std::size_t end) {
-        TileLoader loader(beams, group.origin);
+        TileLoader loader(beams, group.origin, TileDetail::directions);
         for_each_tile(group, begin, end, loader, [&](const PointTile& tile, std::size_t place) {
           index.add(tile, place, range);
         });

@@ -16,7 +16,8 @@ namespace HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-// Multiplications and additions stand one by one: the definition rounds after each.
+// Computes what a detail asks for; multiplications and additions stand one by one: the definition rounds after each.
+template <TileDetail kDetail>
 class PointKernel {
  public:
   using Doubles = hn::ScalableTag<double>;
@@ -54,12 +55,13 @@ class PointKernel {
       const Wide floor = hn::Floor(end);
       good = hn::And(good, hn::And(hn::Ge(floor, hn::Set(d, double{kMinCellIndex})),
                                    hn::Le(floor, hn::Set(d, double{kMaxCellIndex}))));
+      hn::Store(hn::DemoteTo(Ints(), floor), Ints(), tile_.cell[axis].data() + i);
+      if constexpr (kDetail == TileDetail::ends) hn::Store(end, d, tile_.end[axis].data() + i);
+      if constexpr (kDetail == TileDetail::cells) continue;
       Wide direction = hn::Sub(end, hn::Set(d, input_.origin_in_cells[at]));
       direction =
           hn::IfThenElse(hn::Lt(hn::Abs(direction), hn::Set(d, kZeroDirection)), zero, direction);
       has_direction = hn::Or(has_direction, hn::Ne(direction, zero));
-      hn::Store(end, d, tile_.end[axis].data() + i);
-      hn::Store(hn::DemoteTo(Ints(), floor), Ints(), tile_.cell[axis].data() + i);
       hn::Store(hn::DemoteTo(Floats(), direction), Floats(), tile_.direction[axis].data() + i);
     }
     has_direction = hn::And(has_direction, good);
@@ -87,30 +89,45 @@ class PointKernel {
   bool checks_range_;
 };
 
-std::uint64_t bits_of(PointKernel::Bools mask) {
-  const PointKernel::Doubles d;
+std::uint64_t bits_of(hn::Mask<hn::ScalableTag<double>> mask) {
+  const hn::ScalableTag<double> d;
   static_assert(hn::MaxLanes(d) <= 8, "one byte, read as it was stored: wider would wait for it");
   std::uint8_t bits = 0;
   hn::StoreMaskBits(d, mask, &bits);
   return bits;
 }
 
-void compute_tile(const PointKernelInput& input, const float* points, std::size_t count,
-                  PointTile& tile) {
-  const PointKernel::Doubles dd;
-  const PointKernel::Floats df;
+template <TileDetail kDetail>
+void compute_in_detail(const PointKernelInput& input, const float* points, std::size_t count,
+                       PointTile& tile) {
+  using Kernel = PointKernel<kDetail>;
+  const typename Kernel::Doubles dd;
+  const typename Kernel::Floats df;
   const std::size_t lanes = hn::Lanes(dd);
-  const PointKernel kernel(input, tile);
+  const Kernel kernel(input, tile);
   for (std::size_t i = 0; i < count; i += lanes) {
-    hn::Vec<PointKernel::Floats> x, y, z;
+    hn::Vec<typename Kernel::Floats> x, y, z;
     hn::LoadInterleaved3(df, points + 3 * i, x, y, z);
-    PointKernel::Bools has_direction;
-    const PointKernel::Bools done = kernel.compute(hn::PromoteTo(dd, x), hn::PromoteTo(dd, y),
-                                                   hn::PromoteTo(dd, z), i, has_direction);
+    typename Kernel::Bools has_direction;
+    const auto done = kernel.compute(hn::PromoteTo(dd, x), hn::PromoteTo(dd, y),
+                                     hn::PromoteTo(dd, z), i, has_direction);
     const std::uint64_t valid =
         count - i < lanes ? (std::uint64_t{1} << (count - i)) - 1 : ~std::uint64_t{0};
     tile.ends.set_group(i, bits_of(done) & valid);
+    if constexpr (kDetail == TileDetail::cells) continue;
     tile.beams.set_group(i, bits_of(has_direction) & valid);
+  }
+}
+
+void compute_tile(const PointKernelInput& input, const float* points, std::size_t count,
+                  PointTile& tile) {
+  switch (input.detail) {
+    case TileDetail::cells:
+      return compute_in_detail<TileDetail::cells>(input, points, count, tile);
+    case TileDetail::directions:
+      return compute_in_detail<TileDetail::directions>(input, points, count, tile);
+    case TileDetail::ends:
+      return compute_in_detail<TileDetail::ends>(input, points, count, tile);
   }
 }
 

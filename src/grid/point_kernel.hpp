@@ -16,6 +16,7 @@ struct PointKernelInput {
   double inverse;            ///< 1 / resolution
   double min_range;
   double max_range;
+  TileDetail detail;
 };
 
 /// Computes the first `count` places of a tile from `points`, x y z after one

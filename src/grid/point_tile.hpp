@@ -60,6 +60,13 @@ class TileMask {
   std::array<std::uint64_t, kSize / 64> words_{};
 };
 
+/// What of its points a tile is asked for, beside their cells: each step up costs time.
+enum class TileDetail : std::uint8_t {
+  cells,
+  directions,  ///< and the mask `beams`
+  ends,        ///< and the directions
+};
+
 /// Some points of a scan on their way into the map, in cell units: few enough to
 /// stay in the nearest cache from one step to the next.
 struct PointTile {
@@ -75,7 +82,7 @@ struct PointTile {
   }
 
   Mask ends;   ///< points that end in a cell
-  Mask beams;  ///< points that have a beam with a direction, cut ones too
+  Mask beams;  ///< points that have a beam with a direction, cut ones too; for cells alone, none
   Mask cuts;   ///< points whose beam is cut: it goes on beyond its end
   /// Whether a cut beam has no direction: it crosses the cell of its origin alone.
   bool cut_at_origin = false;

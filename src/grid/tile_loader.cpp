@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::size_t kMaxLanes = 16;
 
-PointKernelInput kernel_input(const ScanBeams& beams, const Vector3d& origin) {
+PointKernelInput kernel_input(const ScanBeams& beams, const Vector3d& origin, TileDetail detail) {
   const Scan& scan = beams.scan();
   PointKernelInput input{
       .map_from_points = {},
@@ -19,6 +19,7 @@ PointKernelInput kernel_input(const ScanBeams& beams, const Vector3d& origin) {
       .inverse = beams.lattice().inverse(),
       .min_range = beams.options().min_range,
       .max_range = beams.options().max_range,
+      .detail = detail,
   };
   for (std::size_t i = 0; i < 12; ++i) {
     input.map_from_points[i] =
@@ -29,8 +30,8 @@ PointKernelInput kernel_input(const ScanBeams& beams, const Vector3d& origin) {
 
 }  // namespace
 
-TileLoader::TileLoader(const ScanBeams& beams, const Vector3d& origin)
-    : beams_(beams), input_(kernel_input(beams, origin)) {}
+TileLoader::TileLoader(const ScanBeams& beams, const Vector3d& origin, TileDetail detail)
+    : beams_(beams), input_(kernel_input(beams, origin, detail)) {}
 
 void TileLoader::load(std::size_t first, std::size_t count, PointTile& tile) {
   assert(count <= PointTile::kSize);
@@ -80,7 +81,7 @@ void TileLoader::fill(PointTile& tile) {
     const Beam beam(point.origin, point.end, is_cut);
     (is_cut ? tile.cuts : tile.ends).set(i);
     if (beam.direction() != Vector3d::Zero()) {
-      tile.beams.set(i);
+      if (input_.detail != TileDetail::cells) tile.beams.set(i);
     } else if (is_cut) {
       tile.cut_at_origin = true;
     }

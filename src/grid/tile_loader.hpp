@@ -13,7 +13,7 @@ namespace rmap {
 class TileLoader {
  public:
   /// `origin` in metres.
-  TileLoader(const ScanBeams& beams, const Vector3d& origin);
+  TileLoader(const ScanBeams& beams, const Vector3d& origin, TileDetail detail);
 
   /// The points with numbers `first` to `first + count - 1`.
   void load(std::size_t first, std::size_t count, PointTile& tile);

@@ -34,7 +34,7 @@ BeamIndex::BeamIndex(const Vector3d& origin, std::span<const std::uint32_t> numb
       scratch_(4 * Scratch::bytes_for<std::uint32_t>(whole_tiles(capacity)) +
                4 * Scratch::bytes_for<std::uint32_t>(capacity + kPadding) +
                parts * (Scratch::bytes_for<std::int32_t>(border(rows() + 1)) +
-                        Scratch::bytes_for<float>(rows() * bins()))),
+                        Scratch::bytes_for<float>(border(rows() + 1)))),
       depth_(1 << bin_bits_) {
   const std::size_t places = whole_tiles(capacity);
   bin_ = scratch_.take<std::uint32_t>(places);
@@ -45,13 +45,13 @@ BeamIndex::BeamIndex(const Vector3d& origin, std::span<const std::uint32_t> numb
     Part& part = parts_.emplace_back();
     part.row_used.assign(rows(), 0);
     part.count = scratch_.take<std::int32_t>(border(rows() + 1));
-    part.depth = scratch_.take<float>(rows() * bins());
+    part.depth = scratch_.take<float>(border(rows() + 1));
   }
 }
 
 void BeamIndex::clear_row(Part& part, std::size_t row) const {
   std::fill_n(part.count + border(row), bins() + 1, 0);
-  std::fill_n(part.depth + row * bins(), bins(), 0.0F);
+  std::fill_n(part.depth + border(row), bins() + 1, 0.0F);
 }
 
 void BeamIndex::add(const PointTile& tile, std::size_t first, std::size_t part_number) {
@@ -72,7 +72,7 @@ void BeamIndex::add(const PointTile& tile, std::size_t first, std::size_t part_n
       clear_row(part, row);
     }
     ++part.count[bin + row + 1];
-    float& depth = part.depth[bin];
+    float& depth = part.depth[bin + row];
     depth = depth < binned.depth[i] ? binned.depth[i] : depth;
   });
 }
@@ -81,7 +81,7 @@ void BeamIndex::sort(int threads) {
   // Counts become places: those of a bin's beams, part by part.
   Part& whole = parts_.back();
   // Rows without beams share borders, behind the last row.
-  std::fill_n(whole.count + border(rows()), bins() + 1, 0);
+  clear_row(whole, rows());
   row_borders_.assign(rows(), static_cast<std::int32_t>(border(rows())));
   std::int32_t place = 0;
   for (std::size_t row = 0; row < rows(); ++row) {
@@ -92,10 +92,10 @@ void BeamIndex::sort(int threads) {
     for (Part& part : parts_) {
       if (part.row_used[row] == 0) clear_row(part, row);
     }
-    float* depths = whole.depth + row * bins();
+    float* depths = whole.depth + border(row);
     for (const Part& part : std::span(parts_).first(parts_.size() - 1)) {
       for (std::size_t u = 0; u < bins(); ++u) {
-        depths[u] = std::max(depths[u], part.depth[row * bins() + u]);
+        depths[u] = std::max(depths[u], part.depth[border(row) + u]);
       }
     }
     depth_.add_row(row, depths);
@@ -135,6 +135,7 @@ void BeamIndex::sort(int threads) {
       .number = sorted_number_,
       .borders = whole.count,
       .row_borders = row_borders_.data(),
+      .depth = whole.depth,
   };
 }
 

@@ -29,6 +29,8 @@ struct IndexedBeams {
   /// borders[row_borders[r] + u + 1].
   const std::int32_t* borders;
   const std::int32_t* row_borders;
+  /// The largest depth of the beams in bin u of row r at row_borders[r] + u; 0 without beams.
+  const float* depth;
 };
 
 /// The beams of a scan from one origin, sorted by direction, to find those that
@@ -67,7 +69,7 @@ class BeamIndex {
     bool has_cut_at_origin = false;
     std::vector<std::uint8_t> row_used;
     std::int32_t* count = nullptr;  ///< beams of bin u at border(row) + u + 1; later places
-    float* depth = nullptr;         ///< largest, by bin
+    float* depth = nullptr;         ///< largest, of bin u at border(row) + u
   };
 
   void clear_row(Part& part, std::size_t row) const;

@@ -44,10 +44,10 @@ struct AxisPlanes {
 };
 
 // `origin` is rounded only once its distance is taken.
-AxisPlanes planes_of(std::int32_t first, double origin, std::int32_t origin_layer) {
+void find_planes(std::int32_t first, double origin, std::int32_t origin_layer,
+                 AxisPlanes& planes) {
   const Doubles8 dd;
   const hn::Rebind<float, Doubles8> d;
-  AxisPlanes planes;
   const auto tiny = hn::Set(d, cube_map::kTiny);
   for (std::size_t i = 0; i < kEdge; i += hn::Lanes(dd)) {
     const auto layer =
@@ -78,7 +78,6 @@ AxisPlanes planes_of(std::int32_t first, double origin, std::int32_t origin_laye
     planes.far[below] = std::max(planes.far[below], kLeast);
   }
   for (std::size_t i = above; i < kEdge; ++i) planes.near[i] = std::max(planes.near[i], kLeast);
-  return planes;
 }
 
 // Bins of the cells of a block along u or v, by depth layer and layer on the axis.
@@ -128,6 +127,7 @@ class BinTable {
 struct RowOfBeams {
   std::uint32_t begin, end;
   BlockPosition cell;
+  float near;  // beams that end before it do not reach the cell
 };
 
 class BlockCaster {
@@ -136,7 +136,7 @@ class BlockCaster {
       : beams_(beams), origin_(origin), exactly_(exactly) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
       const auto at = static_cast<Eigen::Index>(axis);
-      planes_[axis] = planes_of(origin[at], beams.origin[at], beams.origin_cell[at]);
+      find_planes(origin[at], beams.origin[at], beams.origin_cell[at], planes_[axis]);
     }
   }
 
@@ -166,6 +166,7 @@ class BlockCaster {
     filled_ |= 1U << layer;
     const AxisPlanes& planes = planes_[axes.depth];
     const cube_map::Depths depths = cube_map::depths({planes.low[layer], planes.high[layer]}, face);
+    near_[layer] = depths.near * (1 - cube_map::kWiden);
     if (depths.far > 0) {
       u_.fill(layer, depths, planes_[axes.u], beams_.bins);
       v_.fill(layer, depths, planes_[axes.v], beams_.bins);
@@ -185,19 +186,21 @@ class BlockCaster {
     if (v.last - v.first >= kManyRows) return cover_many(face, u, v, position);
     if (row_count_ + kManyRows > kMaxRows) test_rows();
     // One row or two, as a rule, and no telling which.
-    add_row(row_of(face, v.first), u, position);
+    const float near = near_[offset[axes.depth]];
+    add_row(row_of(face, v.first), u, position, near);
     const std::size_t before_second = row_count_;
-    add_row(row_of(face, v.last), u, position);
+    add_row(row_of(face, v.last), u, position, near);
     row_count_ = before_second + (v.last > v.first ? 1 : 0);
-    for (int row = v.first + 1; row < v.last; ++row) add_row(row_of(face, row), u, position);
+    for (int row = v.first + 1; row < v.last; ++row) add_row(row_of(face, row), u, position, near);
   }
 
-  void add_row(std::size_t row, const cube_map::Bins& u, BlockPosition position) {
+  void add_row(std::size_t row, const cube_map::Bins& u, BlockPosition position, float near) {
     const std::size_t border =
         static_cast<std::size_t>(beams_.row_borders[row]) + static_cast<std::size_t>(u.first);
     hwy::Prefetch(beams_.borders + border);
+    hwy::Prefetch(beams_.depth + border);
     rows_[row_count_++] = {static_cast<std::uint32_t>(border),
-                           static_cast<std::uint32_t>(u.last + 1 - u.first), position};
+                           static_cast<std::uint32_t>(u.last + 1 - u.first), position, near};
   }
 
   // A cell so near that it covers many rows: the first beams tell, as a rule.
@@ -207,24 +210,34 @@ class BlockCaster {
       const std::size_t row = row_of(face, row_on_face);
       const std::int32_t* borders = beams_.borders + beams_.row_borders[row];
       test({static_cast<std::uint32_t>(borders[u.first]),
-            static_cast<std::uint32_t>(borders[u.last + 1]), position});
+            static_cast<std::uint32_t>(borders[u.last + 1]), position, 0});
       if (crossed_.test(position)) return;
     }
   }
 
   void test_rows() {
-    // Places of borders become places of beams.
+    // Places of borders become places of beams, where one of them is deep enough: in half of the
+    // rows that have beams all end before the cell, on its surface or on another.
     std::size_t count = 0;
     for (std::size_t i = 0; i < row_count_; ++i) {
       const RowOfBeams bins = rows_[i];
       const auto begin = static_cast<std::uint32_t>(beams_.borders[bins.begin]);
       const auto end = static_cast<std::uint32_t>(beams_.borders[bins.begin + bins.end]);
-      for (const float* inverse : beams_.inverse) hwy::Prefetch(inverse + begin);
-      rows_[count] = {begin, end, bins.cell};
-      count += begin < end ? 1 : 0;
+      rows_[count] = {begin, end, bins.cell, bins.near};
+      count += reaches(bins.begin, bins.end, bins.near) ? 1 : 0;
+    }
+    for (std::size_t i = 0; i < count; ++i) {
+      for (const float* inverse : beams_.inverse) hwy::Prefetch(inverse + rows_[i].begin);
     }
     for (std::size_t i = 0; i < count; ++i) test(rows_[i]);
     row_count_ = 0;
+  }
+
+  // Whether a beam in a row of bins may be deeper than `near`; three at most are looked at.
+  bool reaches(std::size_t first, std::size_t bins, float near) const {
+    const float* const depth = beams_.depth + first;
+    const float deepest = std::max(std::max(depth[0], depth[bins - 1]), depth[bins / 2]);
+    return (deepest > near) | (bins > 3);
   }
 
   // Nothing foretells the answer for a few beams, so it is noted without a branch.
@@ -291,7 +304,8 @@ class BlockCaster {
   std::array<AxisPlanes, 3> planes_;
   BinTable u_;
   BinTable v_;
-  unsigned filled_ = 0;  ///< depth layers of the tables
+  std::array<float, kEdge> near_;  ///< least depth of the layers, narrowed
+  unsigned filled_ = 0;            ///< depth layers of the tables
   CellMask crossed_;
   std::size_t row_count_ = 0;
   /// First as places of borders: that of the first bin, and the number of bins.
