@@ -50,6 +50,7 @@ class SeenBox {
 
   void add(const Scan& scan) {
     add(Vector3d(scan.map_from_sensor.translation()));
+    for (const Vector3d& origin : scan.origins) add(origin);
     for (const Vector3f& point : scan.points) add(Vector3d(point.cast<double>()));
   }
   double cells() const { return any_ ? box_.volume() : 0; }

@@ -70,6 +70,7 @@ class Octomap : public OctomapMap {
   explicit Octomap(double resolution) : tree_(resolution) {}
 
   void insert(const Scan& scan) override {
+    if (!scan.origins.empty()) return insert_beams(scan);
     octomap::Pointcloud cloud;
     cloud.reserve(scan.points.size());
     for (const Vector3f& point : scan.points) cloud.push_back(point.x(), point.y(), point.z());
@@ -112,6 +113,26 @@ class Octomap : public OctomapMap {
   Forms forms() const override { return OctreeForms(tree_).count(); }
 
  private:
+  // insertPointCloud takes one origin. What it does, for an origin each: a cell is updated once
+  // a scan, and one in which a beam ends is not cleared by others.
+  void insert_beams(const Scan& scan) {
+    octomap::KeySet free;
+    octomap::KeySet occupied;
+    octomap::KeyRay ray;
+    for (std::size_t i = 0; i < scan.points.size(); ++i) {
+      const octomap::point3d end = point_of(scan.points[i].cast<double>());
+      if (tree_.computeRayKeys(point_of(scan.origins[i]), end, ray)) {
+        free.insert(ray.begin(), ray.end());
+      }
+      octomap::OcTreeKey key;
+      if (tree_.coordToKeyChecked(end, key)) occupied.insert(key);
+    }
+    for (const octomap::OcTreeKey& key : free) {
+      if (occupied.count(key) == 0) tree_.updateNode(key, false);
+    }
+    for (const octomap::OcTreeKey& key : occupied) tree_.updateNode(key, true);
+  }
+
   template <class Use>
   void for_each_occupied(const Use& use) const {
     for (auto leaf = tree_.begin_leafs(); leaf != tree_.end_leafs(); ++leaf) {

@@ -1,5 +1,7 @@
 #include "evaluation/seen_cells.hpp"
 
+#include "evaluation/sequence.hpp"
+
 #include <rmap/beam.hpp>
 
 namespace rmap::evaluation {
@@ -27,13 +29,12 @@ std::size_t CellSet::size() const {
 SeenCells seen_cells(const Scan& scan, const Lattice& lattice) {
   SeenCells seen;
   CellSet crossed;
-  const Vector3d origin = lattice.to_cells(scan.map_from_sensor.translation());
-  for (const Vector3f& point : scan.points) {
-    const Vector3d end = lattice.to_cells(point.cast<double>());
+  for (std::size_t i = 0; i < scan.points.size(); ++i) {
+    const Vector3d end = lattice.to_cells(scan.points[i].cast<double>());
     const auto end_cell = cell_at(end);
     if (!end_cell) continue;
     seen.ends.insert(*end_cell);
-    const Beam beam(origin, end, false);
+    const Beam beam(lattice.to_cells(beam_origin(scan, i)), end, false);
     if (beam.crosses_nothing()) continue;
     for (BeamWalk walk(beam, all_cells()); walk.more(); walk.advance()) crossed.insert(walk.cell());
   }

@@ -15,25 +15,20 @@ namespace {
 constexpr double kGround = 0.0033;
 
 void add(Sequence& sequence, const Scan& scan) {
-  if (!scan.origins.empty()) {
-    throw Error(ErrorKind::input,
-                fmt::format("scan {} of {} has an origin for each point, or points without beams: "
-                            "the experiments compare with OctoMap, which takes beams from one "
-                            "origin a scan",
-                            sequence.scans.size(), sequence.name));
-  }
+  const auto rounded = [](const Vector3d& place) { return place.cast<float>().cast<double>(); };
   Scan moved{.frame = Frame::map};
-  moved.map_from_sensor.translation() =
-      Vector3d(scan.map_from_sensor.translation()).cast<float>().cast<double>();
+  moved.map_from_sensor.translation() = rounded(scan.map_from_sensor.translation());
   moved.points.reserve(scan.points.size());
-  for (const Vector3f& point : scan.points) {
-    if (!point.allFinite()) {
+  for (std::size_t i = 0; i < scan.points.size(); ++i) {
+    const Vector3f& point = scan.points[i];
+    if (!point.allFinite() || !beam_origin(scan, i).allFinite()) {
       ++sequence.left_out_not_finite;
-    } else if (scan.frame == Frame::map) {
-      moved.points.push_back(point);
-    } else {
-      moved.points.push_back(transformed(scan.map_from_sensor, point).cast<float>());
+      continue;
     }
+    moved.points.push_back(scan.frame == Frame::map
+                               ? point
+                               : transformed(scan.map_from_sensor, point).cast<float>());
+    if (!scan.origins.empty()) moved.origins.push_back(rounded(scan.origins[i]));
   }
   sequence.left_out_no_returns += scan.no_returns.size();
   sequence.scans.push_back(std::move(moved));

@@ -25,8 +25,13 @@ struct Sequence {
 
 Json to_json(const Sequence& sequence);
 
-/// The first `most` scans of a source, all when 0. Throws Error(input) for a scan whose points have
-/// an origin each, which OctoMap cannot be given, and where there is no scan; Error as the source.
+/// Where the beam of point i of a scan starts, metres, map's frame.
+inline Vector3d beam_origin(const Scan& scan, std::size_t i) {
+  return scan.origins.empty() ? Vector3d(scan.map_from_sensor.translation()) : scan.origins[i];
+}
+
+/// The first `most` scans of a source, all when 0. Throws Error(input) where there is no scan;
+/// Error as the source.
 Sequence read_sequence(const std::string& name, ScanSource& source, std::size_t most = 0);
 
 /// All scans of a simulated scene; `seed` is that of its chance.
