@@ -49,7 +49,7 @@ class SeenBox {
   explicit SeenBox(const Lattice& lattice) : lattice_(lattice) {}
 
   void add(const Scan& scan) {
-    add(Vector3d(scan.map_from_sensor.translation()));
+    if (scan.origins.empty()) add(Vector3d(scan.map_from_sensor.translation()));
     for (const Vector3d& origin : scan.origins) add(origin);
     for (const Vector3f& point : scan.points) add(Vector3d(point.cast<double>()));
   }

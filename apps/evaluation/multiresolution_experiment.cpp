@@ -48,7 +48,7 @@ MultiresolutionFindings multiresolution_experiment(const Sequence& sequence, dou
   grid.insert(sequence.scans.front());
   MultiresolutionFindings findings{.sequence = sequence.name,
                                    .resolution = resolution,
-                                   .sensor = sequence.scans.front().map_from_sensor.translation(),
+                                   .sensor = beam_origin(sequence.scans.front(), 0),
                                    .fine_within = 2 * resolution * kDistanceByEdge,
                                    .cells = grid.cell_count()};
   const auto distance = [&](const Box& box) {

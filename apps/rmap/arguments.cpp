@@ -216,6 +216,12 @@ CLI::Option* add_text(CLI::App& app, const std::string& names, std::string& targ
   return with_placeholder(app.add_option(names, target, help), placeholder);
 }
 
+CLI::Option* add_text(CLI::App& app, const std::string& names, std::optional<std::string>& target,
+                      const char* placeholder, const std::string& help) {
+  const auto read = [&target](const std::string& text) { target = text; };
+  return with_placeholder(app.add_option_function<std::string>(names, read, help), placeholder);
+}
+
 CLI::Option* add_texts(CLI::App& app, const std::string& name, std::vector<std::string>& target,
                        const std::string& help) {
   return app.add_option(name, target, help)->option_text(kAnyNumber);

@@ -73,6 +73,9 @@ CLI::Option* add_paths(CLI::App& app, const std::string& names,
 /// A text as it is.
 CLI::Option* add_text(CLI::App& app, const std::string& names, std::string& target,
                       const char* placeholder, const std::string& help);
+/// The same where no text is not an empty one.
+CLI::Option* add_text(CLI::App& app, const std::string& names, std::optional<std::string>& target,
+                      const char* placeholder, const std::string& help);
 /// Any number of arguments, as they are.
 CLI::Option* add_texts(CLI::App& app, const std::string& name, std::vector<std::string>& target,
                        const std::string& help);

@@ -15,6 +15,7 @@
 #include <cstdio>
 #include <fstream>
 #include <memory>
+#include <optional>
 #include <string_view>
 #include <system_error>
 
@@ -38,8 +39,8 @@ struct EvaluateArguments {
   std::vector<std::filesystem::path> scans;
   std::vector<std::filesystem::path> clouds;
   std::filesystem::path output;
-  std::string experiments;
-  std::string resolutions;
+  std::optional<std::string> experiments;
+  std::optional<std::string> resolutions;
   ScanOptions reading;
   int most_scans = 0;
   int repetitions = 3;
@@ -51,7 +52,6 @@ struct EvaluateArguments {
 
 std::set<std::string> experiments_of(const std::string& text) {
   std::set<std::string> experiments;
-  if (text.empty()) return experiments;
   const std::vector<std::string>& names = evaluation::experiment_names();
   for (const std::string& name : split_at_commas(text)) {
     if (std::find(names.begin(), names.end(), name) == names.end()) {
@@ -124,11 +124,12 @@ std::vector<evaluation::CloudScene> clouds_of(const EvaluateArguments& arguments
 }
 
 evaluation::EvaluationOptions options_of(const EvaluateArguments& arguments) {
-  evaluation::EvaluationOptions options{.experiments = experiments_of(arguments.experiments),
-                                        .repetitions = arguments.quick ? 1 : arguments.repetitions,
-                                        .is_campus = arguments.scans.empty()};
+  evaluation::EvaluationOptions options;
+  options.repetitions = arguments.quick ? 1 : arguments.repetitions;
+  options.is_campus = arguments.scans.empty();
+  if (arguments.experiments) options.experiments = experiments_of(*arguments.experiments);
   if (arguments.quick) options.resolutions = {kQuickResolution};
-  if (!arguments.resolutions.empty()) options.resolutions = resolutions_of(arguments.resolutions);
+  if (arguments.resolutions) options.resolutions = resolutions_of(*arguments.resolutions);
   return options;
 }
 

@@ -108,12 +108,13 @@ class BeamWalk {
     for (int axis = 0; axis < 3; ++axis) {
       const bool met = next_[axis] <= enter_;
       cell_[axis] += met ? step_[axis] : 0;
-      const double further = beam_->parameter(axis, cell_[axis] + ahead_[axis]);
+      const double further = (cell_[axis] + ahead_[axis] - beam_->origin()[axis]) / divisor_[axis];
       next_[axis] = met ? further : next_[axis];
     }
   }
 
   const Beam* beam_;
+  Eigen::Vector3d divisor_;    ///< the direction; 1 where that is 0 and no plane is ever met
   Cell step_ = Cell::Zero();   ///< to the next cube on each axis
   Cell ahead_ = Cell::Zero();  ///< to the plane ahead
   Cell cell_;

@@ -63,6 +63,7 @@ std::optional<Crossing> crossing(const Beam& beam, const CellBox& cells) {
 
 BeamWalk::BeamWalk(const Beam& beam, const CellBox& within, std::int32_t edge)
     : beam_(&beam),
+      divisor_((beam.direction().array() == 0).select(1.0, beam.direction())),
       cell_(beam.origin_cell().unaryExpr([edge](std::int32_t index) { return index & -edge; })),
       next_(Vector3d::Constant(kInfinity)) {
   const auto part = crossing(beam, within);

@@ -78,7 +78,6 @@ BytesInUse BlockStore::bytes_in_use() const {
 LeafId BlockStore::allocate(const Cell& origin) {
   const LeafId id = blocks_.allocate();
   *blocks_.record(id) = {.run = kNoRun, .stamp = 0, .origin = {origin.x(), origin.y(), origin.z()}};
-  table_.add(origin, id, origins());
   return id;
 }
 
@@ -90,6 +89,8 @@ void BlockStore::release(LeafId id) {
 void BlockStore::add_cells(LeafId id, const CellMask& cells, Value value) {
   if (blocks_.record(id)->run == kNoRun) {
     std::fill_n(replace(id, {}, cells), cells.count(), value);
+    // Only now, when nothing of the leaf is missing: whoever finds it may read it.
+    table_.add(origins()(id), id, origins());
     return;
   }
   const auto [before, old_values] = content(id);

@@ -11,7 +11,7 @@
 namespace rmap {
 
 /// Which block lies where: the numbers of blocks by their origins, for who asks for one block.
-/// The R-tree, which answers all that is asked of a region, would take three to five times as
+/// The R-tree, which answers all that is asked of a region, would take two to four times as
 /// long. The origins are kept by the owner: origin_of(number) tells them.
 ///
 /// A slot takes 4 bytes: the number in as few low bits as there are slots, and above them bits
@@ -94,7 +94,9 @@ class BlockTable {
   std::uint32_t tag_of(std::uint32_t hash) const { return hash << bits_; }
   std::uint32_t number_bits() const { return (std::uint32_t{1} << bits_) - 1; }
   std::uint32_t number_in(std::size_t slot) const { return (slots_[slot] & number_bits()) - 1; }
-  std::size_t next(std::size_t bucket) const { return (bucket + 1) & (slots_.size() / kBucket - 1); }
+  std::size_t next(std::size_t bucket) const {
+    return (bucket + 1) & (slots_.size() / kBucket - 1);
+  }
   /// Buckets from one to another.
   std::size_t distance(std::size_t from, std::size_t to) const {
     return (to - from) & (slots_.size() / kBucket - 1);

@@ -16,7 +16,8 @@ namespace HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-// Computes what a detail asks for; multiplications and additions stand one by one: the definition rounds after each.
+// Computes what a detail asks for. Multiplications and additions stand one by one: the definition
+// rounds after each.
 template <TileDetail kDetail>
 class PointKernel {
  public:

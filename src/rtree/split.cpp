@@ -64,10 +64,10 @@ Seeds most_wasteful(std::span<const CellBox> boxes, const BoxColumns& columns) {
   Column volumes;
   for (std::size_t i = 0; i < boxes.size(); ++i) volumes[i] = volume_of(boxes[i]);
   for (std::size_t i = 0; i + 1 < boxes.size(); ++i) {
-    Column united;
-    columns.united_volumes(boxes[i], i + 1, united);
+    Column with_i;
+    columns.united_volumes(boxes[i], i + 1, with_i);
     for (std::size_t j = i + 1; j < boxes.size(); ++j) {
-      const double waste = (united[j] - volumes[i]) - volumes[j];
+      const double waste = (with_i[j] - volumes[i]) - volumes[j];
       if (waste > most) {
         most = waste;
         seeds = {i, j};

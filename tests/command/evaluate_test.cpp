@@ -41,6 +41,10 @@ TEST_F(Evaluate, RefusesWhatMakesNoSense) {
               HasSubstr("\"speed\""));
   EXPECT_THAT(rmap_refused(2, {"evaluate", "room", "-o", "out", "--resolution", "fine"}),
               HasSubstr("\"fine\""));
+  EXPECT_THAT(rmap_refused(2, {"evaluate", "room", "-o", "out", "--experiments", ""}),
+              HasSubstr("--experiments"));
+  EXPECT_THAT(rmap_refused(2, {"evaluate", "room", "-o", "out", "--resolution", ""}),
+              HasSubstr("--resolution"));
   EXPECT_THAT(rmap_refused(1, {"evaluate", "nowhere", "-o", "out"}), HasSubstr("nowhere"));
   EXPECT_THAT(rmap_refused(1, {"evaluate", "room", "-o", "out", "--resolution", "0"}),
               HasSubstr("resolution"));

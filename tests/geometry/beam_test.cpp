@@ -124,7 +124,8 @@ TEST_P(NastyBeams, WalkThroughCubesMeetsThoseThatAreCrossed) {
     double before = -1;
     for (BeamWalk walk(beam, within, edge); walk.more(); walk.advance()) {
       const Cell low = walk.cell();
-      ASSERT_EQ(walk.enter(), crossing(beam, {.min = low, .max = low + Cell::Constant(edge)})->enter);
+      const CellBox cube = {.min = low, .max = low + Cell::Constant(edge)};
+      ASSERT_EQ(walk.enter(), crossing(beam, cube)->enter);
       ASSERT_LT(before, walk.enter());
       before = walk.enter();
       cubes.push_back(low);

@@ -1,6 +1,8 @@
 #include "support/plain_grid.hpp"
 #include "support/scans.hpp"
 
+#include <cmath>
+
 #include <gtest/gtest.h>
 
 #include <rmap/grid.hpp>
@@ -278,6 +280,43 @@ TEST(Insert, TheRTreeIsPackedAsItGrows) {
     EXPECT_GT(fill(prepared), 0.95);
     EXPECT_EQ(prepared.check().value_or(""), "");
   }
+}
+
+// Ends may lie in another cell, even another block, than an origin from which they have no direction,
+// or one along a single axis: leaves are made once all the same.
+TEST(Insert, BeamsTooShortForADirectionHitTheirCells) {
+  Random random(86);
+  SCOPED_TRACE(random.trace());
+  int beside = 0;
+  for (int round = 0; round < 60; ++round) {
+    Twins twins({.resolution = 1});
+    // More leaves around, so that the R-tree has levels.
+    std::vector<Vector3f> around;
+    for (int i = 0; i < 40; ++i) around.push_back(random.point(-30, 30).cast<float>());
+    twins.insert(test::map_scan({3, 3, 3}, around), random);
+    const auto tiny = [&] {
+      const double size = std::ldexp(1.0, -random.integer(30, 48));
+      return random.chance(0.3) ? 0.0 : random.chance(0.5) ? size : -size;
+    };
+    for (int i = 0; i < 4; ++i) {
+      Vector3d corner = 8.0 * random.cell(-1, 1).cast<double>();
+      if (random.chance(0.5)) corner[random.integer(0, 2)] += 0.5;
+      const Vector3d origin = corner + Vector3d(tiny(), tiny(), tiny());
+      // Near zero floats tell such points apart.
+      std::vector<Vector3f> ends;
+      for (int k = 0; k < 3; ++k) {
+        ends.push_back((corner + Vector3d(tiny(), tiny(), tiny())).cast<float>());
+        const Vector3d end = ends.back().cast<double>();
+        beside += Lattice(1).cell_of(origin) != Lattice(1).cell_of(end) ? 1 : 0;
+      }
+      const Scan scan = test::map_scan(origin, ends);
+      twins.insert(scan, random);
+      twins.insert(scan, random);
+    }
+    twins.expect_equal();
+    if (HasFailure()) return;
+  }
+  EXPECT_GT(beside, 100);
 }
 
 }  // namespace

@@ -47,7 +47,6 @@ Cast::Cast(const LeafStore& store, const ScanBeams& beams, const BeamIndex& inde
       beams_(beams),
       index_(index),
       rule_(rule),
-      threads_(threads),
       ranges_(ranges_for(threads)) {
   const auto enter = [this](const CellBox& box) { return may_enter(box); };
   parts_ = store.parts_where(ranges_ == 1 ? 1 : kPartsPerRange * ranges_, enter);
@@ -63,7 +62,10 @@ void Cast::run(HitIn hit_in, Crossed crossed) const {
 }
 
 bool Cast::may_enter(const CellBox& box) const {
-  return index_.may_reach(box) || box.contains(index_.beams().origin_cell);
+  if (index_.may_reach(box)) return true;
+  // Beams that are shorter than a direction can tell end in the origin's cell or beside it.
+  const Cell& origin = index_.beams().origin_cell;
+  return (origin.array() >= box.min.array() - 1).all() && (origin.array() <= box.max.array()).all();
 }
 
 CellMask Cast::crossed_in(const Cell& block, const CellMask& asked) const {
@@ -103,7 +105,7 @@ void Cast::run_by_cell(std::size_t range, std::span<const LeafStore::Part> parts
   for (const LeafStore::Part& part : parts) {
     store_.visit_where(
         part,
-        [&](const CellBox& box) { return box.max.x() - box.min.x() == 1 || may_enter(box); },
+        [&](const CellBox& box) { return box == box_of(box.min) || may_enter(box); },
         [&](LeafId id, const Leaf& leaf) {
           if (hit_in(range, id, leaf) != nullptr || rule_.settled(*leaf.values())) return;
           found.push_back({id, asked.add(leaf.origin), leaf.origin});

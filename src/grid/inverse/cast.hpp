@@ -18,8 +18,8 @@ namespace rmap {
 /// beams nor, beyond the descent, by the size of the map.
 class Cast {
  public:
-  /// The cells of a leaf in view that the scan hits, null for none. Each leaf in view
-  /// comes once, those with end cells among them; its values may be changed, its cells not.
+  /// The cells of a leaf that the scan hits, null for none. Each leaf in view comes once,
+  /// all that have end cells among them; its values may be changed, its cells not.
   using HitIn = FunctionRef<const CellMask*(std::size_t range, LeafId id, const Leaf& leaf)>;
   /// The cells of a leaf that beams cross, at least one; each leaf at most once, after HitIn.
   using Crossed =
@@ -47,7 +47,6 @@ class Cast {
   const ScanBeams& beams_;
   const BeamIndex& index_;
   const UpdateRule& rule_;
-  int threads_;
   std::vector<LeafStore::Part> parts_;
   std::size_t ranges_;
 };
