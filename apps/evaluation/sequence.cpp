@@ -25,9 +25,8 @@ void add(Sequence& sequence, const Scan& scan) {
       ++sequence.left_out_not_finite;
       continue;
     }
-    moved.points.push_back(scan.frame == Frame::map
-                               ? point
-                               : transformed(scan.map_from_sensor, point).cast<float>());
+    moved.points.push_back(
+        scan.frame == Frame::map ? point : transformed(scan.map_from_sensor, point).cast<float>());
     if (!scan.origins.empty()) moved.origins.push_back(rounded(scan.origins[i]));
   }
   sequence.left_out_no_returns += scan.no_returns.size();

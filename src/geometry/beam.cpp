@@ -73,8 +73,7 @@ BeamWalk::BeamWalk(const Beam& beam, const CellBox& within, std::int32_t edge)
   for (int axis = 0; axis < 3; ++axis) {
     const double direction = beam.direction()[axis];
     if (direction == 0) continue;
-    cell_[axis] =
-        layer_after(beam, axis, enter_, within.min[axis], within.max[axis] - edge, edge);
+    cell_[axis] = layer_after(beam, axis, enter_, within.min[axis], within.max[axis] - edge, edge);
     step_[axis] = direction > 0 ? edge : -edge;
     ahead_[axis] = direction > 0 ? edge : 0;
     next_[axis] = beam.parameter(axis, cell_[axis] + ahead_[axis]);

@@ -102,8 +102,8 @@ void BlockStore::add_cells(LeafId id, const CellMask& cells, Value value) {
   after |= cells;
   Value* const values = replace(id, before, after);
   // Without a branch: nothing foretells which cells are new.
-  after.for_each([&, old_cells = before, next_old = kept.data(), next = values](
-                     BlockPosition position) mutable {
+  after.for_each([&, old_cells = before, next_old = kept.data(),
+                  next = values](BlockPosition position) mutable {
     const bool is_old = old_cells.test(position);
     const Value old = *next_old;
     *next++ = is_old ? old : value;
@@ -149,8 +149,8 @@ std::optional<std::string> BlockStore::check_storage() const {
                        blocks_.size());
   }
   if (table_.size() != leaf_count()) {
-    return fmt::format("the R-tree has {} leaf branches, but the table has {} blocks",
-                       leaf_count(), table_.size());
+    return fmt::format("the R-tree has {} leaf branches, but the table has {} blocks", leaf_count(),
+                       table_.size());
   }
   std::optional<std::string> broken;
   visit(all_cells(), [&](LeafId id, const Leaf& leaf) {

@@ -130,8 +130,8 @@ TEST_P(NastyBeams, WalkThroughCubesMeetsThoseThatAreCrossed) {
       before = walk.enter();
       cubes.push_back(low);
     }
-    ASSERT_EQ(sorted(cubes), sorted(expected)) << "from " << ends.origin.transpose() << " to "
-                                               << ends.end.transpose();
+    ASSERT_EQ(sorted(cubes), sorted(expected))
+        << "from " << ends.origin.transpose() << " to " << ends.end.transpose();
     met += cubes.size();
   }
   EXPECT_GT(met, 50U);

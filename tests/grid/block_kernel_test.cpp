@@ -21,7 +21,7 @@ TEST(EndBlocks, AreTheBlocksOfTheCells) {
       PointTile tile;
       tile.count = static_cast<std::size_t>(random.integer(1, PointTile::kSize));
       for (std::size_t i = 0; i < tile.count; ++i) {
-        const Cell cell = i == 0 ? Cell::Constant(kMinCellIndex)
+        const Cell cell = i == 0               ? Cell::Constant(kMinCellIndex)
                           : random.chance(0.5) ? tile.cell_of(i - 1)
                                                : random.cell(-reach, reach);
         for (std::size_t axis = 0; axis < 3; ++axis) {

@@ -282,8 +282,8 @@ TEST(Insert, TheRTreeIsPackedAsItGrows) {
   }
 }
 
-// Ends may lie in another cell, even another block, than an origin from which they have no direction,
-// or one along a single axis: leaves are made once all the same.
+// Ends may lie in another cell, even another block, than an origin from which they have no
+// direction, or one along a single axis: leaves are made once all the same.
 TEST(Insert, BeamsTooShortForADirectionHitTheirCells) {
   Random random(86);
   SCOPED_TRACE(random.trace());

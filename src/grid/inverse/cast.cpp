@@ -43,11 +43,7 @@ std::size_t ranges_for(int threads) {
 
 Cast::Cast(const LeafStore& store, const ScanBeams& beams, const BeamIndex& index,
            const UpdateRule& rule, int threads)
-    : store_(store),
-      beams_(beams),
-      index_(index),
-      rule_(rule),
-      ranges_(ranges_for(threads)) {
+    : store_(store), beams_(beams), index_(index), rule_(rule), ranges_(ranges_for(threads)) {
   const auto enter = [this](const CellBox& box) { return may_enter(box); };
   parts_ = store.parts_where(ranges_ == 1 ? 1 : kPartsPerRange * ranges_, enter);
 }
@@ -104,8 +100,7 @@ void Cast::run_by_cell(std::size_t range, std::span<const LeafStore::Part> parts
   BlockMarks asked;
   for (const LeafStore::Part& part : parts) {
     store_.visit_where(
-        part,
-        [&](const CellBox& box) { return box == box_of(box.min) || may_enter(box); },
+        part, [&](const CellBox& box) { return box == box_of(box.min) || may_enter(box); },
         [&](LeafId id, const Leaf& leaf) {
           if (hit_in(range, id, leaf) != nullptr || rule_.settled(*leaf.values())) return;
           found.push_back({id, asked.add(leaf.origin), leaf.origin});

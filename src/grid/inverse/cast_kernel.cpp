@@ -44,8 +44,7 @@ struct AxisPlanes {
 };
 
 // `origin` is rounded only once its distance is taken.
-void find_planes(std::int32_t first, double origin, std::int32_t origin_layer,
-                 AxisPlanes& planes) {
+void find_planes(std::int32_t first, double origin, std::int32_t origin_layer, AxisPlanes& planes) {
   const Doubles8 dd;
   const hn::Rebind<float, Doubles8> d;
   const auto tiny = hn::Set(d, cube_map::kTiny);
