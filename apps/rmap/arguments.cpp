@@ -70,6 +70,14 @@ CLI::Option* add_parsed(CLI::App& app, const std::string& names, Target& target,
   return with_placeholder(app.add_option_function<std::string>(names, read, help), placeholder);
 }
 
+// An option whose text the target takes as it is.
+template <class Target>
+CLI::Option* add_assigned(CLI::App& app, const std::string& names, Target& target,
+                          const char* placeholder, const std::string& help) {
+  const auto read = [&target](const std::string& text) { target = text; };
+  return with_placeholder(app.add_option_function<std::string>(names, read, help), placeholder);
+}
+
 }  // namespace
 
 std::optional<double> parse_number(std::string_view text) {
@@ -198,8 +206,7 @@ CLI::Option* add_sphere(CLI::App& app, const std::string& names, std::optional<S
 
 CLI::Option* add_path(CLI::App& app, const std::string& names, std::filesystem::path& target,
                       const std::string& help, const char* placeholder) {
-  const auto read = [&target](const std::string& text) { target = text; };
-  return with_placeholder(app.add_option_function<std::string>(names, read, help), placeholder);
+  return add_assigned(app, names, target, placeholder, help);
 }
 
 CLI::Option* add_paths(CLI::App& app, const std::string& names,
@@ -218,8 +225,7 @@ CLI::Option* add_text(CLI::App& app, const std::string& names, std::string& targ
 
 CLI::Option* add_text(CLI::App& app, const std::string& names, std::optional<std::string>& target,
                       const char* placeholder, const std::string& help) {
-  const auto read = [&target](const std::string& text) { target = text; };
-  return with_placeholder(app.add_option_function<std::string>(names, read, help), placeholder);
+  return add_assigned(app, names, target, placeholder, help);
 }
 
 CLI::Option* add_texts(CLI::App& app, const std::string& name, std::vector<std::string>& target,

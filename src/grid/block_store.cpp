@@ -32,7 +32,7 @@ void BlockStore::visit_block(const Cell& block,
 }
 
 const Value* BlockStore::find_value(const Cell& cell) const {
-  const auto id = table_.find(block_origin(cell), origins());
+  const auto id = find(block_origin(cell));
   return id ? packed_block::find(run(*id), block_position(cell)) : nullptr;
 }
 

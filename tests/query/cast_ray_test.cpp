@@ -18,14 +18,25 @@ using test::Random;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 // The plain twin: asks the cell of the origin, then walks from cell to cell and asks each one.
-std::optional<Cell> walked_hit(const Grid& grid, const Vector3d& origin, const Vector3d& end) {
+std::optional<Cell> walked_hit(const Grid& grid, const Vector3d& origin, const Vector3d& along,
+                               double range) {
   const Lattice& lattice = grid.lattice();
+  // The end as cast_ray computes it: scaled, normalised, and as long as the range.
+  const Vector3d scaled = along / along.cwiseAbs().maxCoeff();
+  const Vector3d end = origin + scaled / scaled.norm() * range;
   if (grid.state(origin) == State::occupied) return lattice.cell_of(origin);
   const Beam beam(lattice.to_cells(origin), lattice.to_cells(end), true);
   for (BeamWalk walk(beam, all_cells()); walk.more(); walk.advance()) {
     if (grid.cell_state(walk.cell()) == State::occupied) return walk.cell();
   }
   return std::nullopt;
+}
+
+// Whether the range ends a ray before the map's bounds do: then it is the twin's beam.
+bool ends_in_bounds(const Grid& grid, const Vector3d& origin, double range) {
+  const Box bounds = grid.lattice().metric(grid.block_bounds());
+  return (bounds.min - origin).cwiseAbs().cwiseMax((bounds.max - origin).cwiseAbs()).norm() >=
+         range;
 }
 
 class CastRayInLayout : public testing::TestWithParam<Layout> {};
@@ -45,16 +56,10 @@ TEST_P(CastRayInLayout, FindsTheFirstOccupiedCellOfTheWalk) {
       const Vector3d origin = ends.origin * 0.5;
       const Vector3d along = (ends.end - ends.origin) * 0.5;
       if (along.norm() == 0) continue;
-      // The end as cast_ray computes it: scaled, normalised, and as long as the range.
-      const Vector3d scaled = along / along.cwiseAbs().maxCoeff();
       const double range = along.norm();
-      const auto expected = walked_hit(grid, origin, origin + scaled / scaled.norm() * range);
-      // The range must end the ray before the map's bounds do, to be the same beam.
+      if (!ends_in_bounds(grid, origin, range)) continue;
+      const auto expected = walked_hit(grid, origin, along, range);
       const auto hit = cast_ray(grid, origin, along, range);
-      const Box bounds = grid.lattice().metric(grid.block_bounds());
-      const double reach =
-          (bounds.min - origin).cwiseAbs().cwiseMax((bounds.max - origin).cwiseAbs()).norm();
-      if (reach < range) continue;
       ASSERT_EQ(hit.has_value(), expected.has_value())
           << origin.transpose() << " along " << along.transpose();
       if (hit) {
@@ -153,15 +158,10 @@ TEST_P(CastRayInLayout, FindsWhatLiesFarAway) {
     }
     for (const Vector3d& target : targets) {
       const Vector3d origin = random.point(-3, 3);
-      // As cast_ray computes its end: one that lies beyond the target, within the bounds.
-      const double range = (target - origin).norm() + 3;
-      const Box bounds = grid.lattice().metric(grid.block_bounds());
-      const double reach =
-          (bounds.min - origin).cwiseAbs().cwiseMax((bounds.max - origin).cwiseAbs()).norm();
-      if (reach < range) continue;
       const Vector3d along = target - origin;
-      const Vector3d scaled = along / along.cwiseAbs().maxCoeff();
-      const auto expected = walked_hit(grid, origin, origin + scaled / scaled.norm() * range);
+      const double range = along.norm() + 3;  // beyond the target
+      if (!ends_in_bounds(grid, origin, range)) continue;
+      const auto expected = walked_hit(grid, origin, along, range);
       const auto hit = cast_ray(grid, origin, along, range);
       ASSERT_EQ(hit.has_value(), expected.has_value()) << target.transpose();
       if (hit) {
